@@ -1870,5 +1870,792 @@ globalThis.mipModel = {
 {"command":"system.interface_control","effect":"protocols","arguments":[["port","port"],["incoming","protocols_incoming"],["outgoing","protocols_outgoing"]],"all":[["port",0]],"instances":[["port","ports"]]},
 {"command":"system.comm_mode","effect":"communication_mode","arguments":[["mode","mode"]]}
 ]
+},
+"programs": {
+"c": {
+"scalars": {"u8":"uint8_t","u16":"uint16_t","u32":"uint32_t","u64":"uint64_t","s8":"int8_t","s16":"int16_t","s32":"int32_t","s64":"int64_t","float":"float","double":"double","bool":"mip_bool","char":"char"},
+"headers": {"base":"base","3dm":"3dm","filter":"filter","gnss":"gnss","rtk":"rtk","aiding":"aiding","system":"system","sensor":"sensor","gnss_data":"gnss_data","filter_data":"filter_data","gnss_1":"gnss_1","gnss_2":"gnss_2","gnss_corrections":"gnss_corrections","gnss_external":"gnss_external","gnss_external_2":"gnss_external_2","system_data":"system_data","shared":"shared"},
+"members": {},
+"arguments": {},
+"calls": {
+"base.ping": [
+{"name":"mip_call_base_ping"}
+],
+"base.set_idle": [
+{"name":"mip_call_base_set_idle"}
+],
+"base.get_device_info": [
+{"name":"mip_call_base_get_device_info","response":"base.get_device_info_response"}
+],
+"base.get_device_descriptors": [
+{"name":"mip_call_base_get_device_descriptors","response":"base.get_device_descriptors_response"}
+],
+"base.built_in_test": [
+{"name":"mip_call_base_built_in_test","response":"base.built_in_test_response"}
+],
+"base.resume": [
+{"name":"mip_call_base_resume"}
+],
+"base.get_extended_descriptors": [
+{"name":"mip_call_base_get_extended_descriptors","response":"base.get_extended_descriptors_response"}
+],
+"base.continuous_built_in_test": [
+{"name":"mip_call_base_continuous_built_in_test","response":"base.continuous_built_in_test_response"}
+],
+"base.comm_speed": [
+{"name":"mip_call_base_comm_speed_write","function":"write","takes":["port","baud"]},
+{"name":"mip_call_base_comm_speed_read","function":"read","takes":["port"],"response":"base.comm_speed_response"},
+{"name":"mip_call_base_comm_speed_save","function":"save","takes":["port"]},
+{"name":"mip_call_base_comm_speed_load","function":"load","takes":["port"]},
+{"name":"mip_call_base_comm_speed_default","function":"default","takes":["port"]}
+],
+"base.gps_time_update": [
+{"name":"mip_call_base_gps_time_update_write","function":"write","takes":["field_id","value"]},
+{"name":"mip_call_base_gps_time_update_read","function":"read","takes":["field_id"]},
+{"name":"mip_call_for_base_gps_time_update_week_number_response_read","function":"read","takes":[],"response":"base.gps_time_update_week_number_response"},
+{"name":"mip_call_for_base_gps_time_update_tow_response_read","function":"read","takes":[],"response":"base.gps_time_update_tow_response"},
+{"name":"mip_call_base_gps_time_update_apply","function":"apply","takes":["field_id","value"]}
+],
+"base.soft_reset": [
+{"name":"mip_call_base_soft_reset"}
+],
+"3dm.poll_imu_data": [
+{"name":"mip_call_3dm_poll_imu_data","takes":["suppress_ack","num_descriptors","descriptors"]}
+],
+"3dm.poll_gnss_data": [
+{"name":"mip_call_3dm_poll_gnss_data","takes":["suppress_ack","num_descriptors","descriptors"]}
+],
+"3dm.poll_filter_data": [
+{"name":"mip_call_3dm_poll_filter_data","takes":["suppress_ack","num_descriptors","descriptors"]}
+],
+"3dm.poll_nmea_data": [
+{"name":"mip_call_3dm_poll_nmea_data","takes":["suppress_ack","count","format_entries"]}
+],
+"3dm.get_imu_base_rate": [
+{"name":"mip_call_3dm_get_imu_base_rate","response":"3dm.get_imu_base_rate_response"}
+],
+"3dm.get_gnss_base_rate": [
+{"name":"mip_call_3dm_get_gnss_base_rate","response":"3dm.get_gnss_base_rate_response"}
+],
+"3dm.imu_message_format": [
+{"name":"mip_call_3dm_imu_message_format_write","function":"write","takes":["num_descriptors","descriptors"]},
+{"name":"mip_call_3dm_imu_message_format_read","function":"read","takes":[],"response":"3dm.imu_message_format_response"},
+{"name":"mip_call_3dm_imu_message_format_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_imu_message_format_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_imu_message_format_default","function":"default","takes":[]}
+],
+"3dm.gnss_message_format": [
+{"name":"mip_call_3dm_gnss_message_format_write","function":"write","takes":["num_descriptors","descriptors"]},
+{"name":"mip_call_3dm_gnss_message_format_read","function":"read","takes":[],"response":"3dm.gnss_message_format_response"},
+{"name":"mip_call_3dm_gnss_message_format_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_gnss_message_format_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_gnss_message_format_default","function":"default","takes":[]}
+],
+"3dm.filter_message_format": [
+{"name":"mip_call_3dm_filter_message_format_write","function":"write","takes":["num_descriptors","descriptors"]},
+{"name":"mip_call_3dm_filter_message_format_read","function":"read","takes":[],"response":"3dm.filter_message_format_response"},
+{"name":"mip_call_3dm_filter_message_format_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_filter_message_format_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_filter_message_format_default","function":"default","takes":[]}
+],
+"3dm.get_filter_base_rate": [
+{"name":"mip_call_3dm_get_filter_base_rate","response":"3dm.get_filter_base_rate_response"}
+],
+"3dm.nmea_message_format": [
+{"name":"mip_call_3dm_nmea_message_format_write","function":"write","takes":["count","format_entries"]},
+{"name":"mip_call_3dm_nmea_message_format_read","function":"read","takes":[],"response":"3dm.nmea_message_format_response"},
+{"name":"mip_call_3dm_nmea_message_format_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_nmea_message_format_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_nmea_message_format_default","function":"default","takes":[]}
+],
+"3dm.poll_data": [
+{"name":"mip_call_3dm_poll_data","takes":["descriptor_set","suppress_ack","num_descriptors","descriptors"]}
+],
+"3dm.get_base_rate": [
+{"name":"mip_call_3dm_get_base_rate","takes":["descriptor_set"],"response":"3dm.get_base_rate_response"}
+],
+"3dm.message_format": [
+{"name":"mip_call_3dm_message_format_write","function":"write","takes":["descriptor_set","num_descriptors","descriptors"]},
+{"name":"mip_call_3dm_message_format_read","function":"read","takes":["descriptor_set"],"response":"3dm.message_format_response"},
+{"name":"mip_call_3dm_message_format_save","function":"save","takes":["descriptor_set"]},
+{"name":"mip_call_3dm_message_format_load","function":"load","takes":["descriptor_set"]},
+{"name":"mip_call_3dm_message_format_default","function":"default","takes":["descriptor_set"]}
+],
+"3dm.factory_streaming": [
+{"name":"mip_call_3dm_factory_streaming","takes":["action"]}
+],
+"3dm.data_stream_control": [
+{"name":"mip_call_3dm_data_stream_control_write","function":"write","takes":["descriptor_set","enable"]},
+{"name":"mip_call_3dm_data_stream_control_read","function":"read","takes":["descriptor_set"],"response":"3dm.data_stream_control_response"},
+{"name":"mip_call_3dm_data_stream_control_save","function":"save","takes":["descriptor_set"]},
+{"name":"mip_call_3dm_data_stream_control_load","function":"load","takes":["descriptor_set"]},
+{"name":"mip_call_3dm_data_stream_control_default","function":"default","takes":["descriptor_set"]}
+],
+"3dm.constellation_settings": [
+{"name":"mip_call_3dm_constellation_settings_write","function":"write","takes":["max_channels","config_count","settings"]},
+{"name":"mip_call_3dm_constellation_settings_read","function":"read","takes":[],"response":"3dm.constellation_settings_response"},
+{"name":"mip_call_3dm_constellation_settings_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_constellation_settings_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_constellation_settings_default","function":"default","takes":[]}
+],
+"3dm.gnss_sbas_settings": [
+{"name":"mip_call_3dm_gnss_sbas_settings_write","function":"write","takes":["enable_sbas","sbas_options","num_included_prns","included_prns"]},
+{"name":"mip_call_3dm_gnss_sbas_settings_read","function":"read","takes":[],"response":"3dm.gnss_sbas_settings_response"},
+{"name":"mip_call_3dm_gnss_sbas_settings_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_gnss_sbas_settings_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_gnss_sbas_settings_default","function":"default","takes":[]}
+],
+"3dm.gnss_assisted_fix": [
+{"name":"mip_call_3dm_gnss_assisted_fix_write","function":"write","takes":["option"]},
+{"name":"mip_call_3dm_gnss_assisted_fix_read","function":"read","takes":[],"response":"3dm.gnss_assisted_fix_response"},
+{"name":"mip_call_3dm_gnss_assisted_fix_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_gnss_assisted_fix_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_gnss_assisted_fix_default","function":"default","takes":[]}
+],
+"3dm.gnss_time_assistance": [
+{"name":"mip_call_3dm_gnss_time_assistance_write","function":"write","takes":["tow","week_number","accuracy"]},
+{"name":"mip_call_3dm_gnss_time_assistance_read","function":"read","takes":[],"response":"3dm.gnss_time_assistance_response"}
+],
+"3dm.pps_source_control": [
+{"name":"mip_call_3dm_pps_source_control_write","function":"write","takes":["source"]},
+{"name":"mip_call_3dm_pps_source_control_read","function":"read","takes":[],"response":"3dm.pps_source_control_response"},
+{"name":"mip_call_3dm_pps_source_control_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_pps_source_control_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_pps_source_control_default","function":"default","takes":[]}
+],
+"3dm.get_event_support": [
+{"name":"mip_call_3dm_get_event_support","takes":["query"],"response":"3dm.get_event_support_response"}
+],
+"3dm.event_control": [
+{"name":"mip_call_3dm_event_control_write","function":"write","takes":["instance","mode"]},
+{"name":"mip_call_3dm_event_control_read","function":"read","takes":["instance"],"response":"3dm.event_control_response"},
+{"name":"mip_call_3dm_event_control_save","function":"save","takes":["instance"]},
+{"name":"mip_call_3dm_event_control_load","function":"load","takes":["instance"]},
+{"name":"mip_call_3dm_event_control_default","function":"default","takes":["instance"]}
+],
+"3dm.get_event_trigger_status": [
+{"name":"mip_call_3dm_get_event_trigger_status","takes":["requested_count","requested_instances"],"response":"3dm.get_event_trigger_status_response"}
+],
+"3dm.get_event_action_status": [
+{"name":"mip_call_3dm_get_event_action_status","takes":["requested_count","requested_instances"],"response":"3dm.get_event_action_status_response"}
+],
+"3dm.event_trigger_config": [
+{"name":"mip_call_3dm_event_trigger_config_write","function":"write","takes":["instance","type","parameters"]},
+{"name":"mip_call_3dm_event_trigger_config_read","function":"read","takes":["instance"],"response":"3dm.event_trigger_config_response"},
+{"name":"mip_call_3dm_event_trigger_config_save","function":"save","takes":["instance"]},
+{"name":"mip_call_3dm_event_trigger_config_load","function":"load","takes":["instance"]},
+{"name":"mip_call_3dm_event_trigger_config_default","function":"default","takes":["instance"]}
+],
+"3dm.event_action_config": [
+{"name":"mip_call_3dm_event_action_config_write","function":"write","takes":["instance","trigger","type","parameters"]},
+{"name":"mip_call_3dm_event_action_config_read","function":"read","takes":["instance"],"response":"3dm.event_action_config_response"},
+{"name":"mip_call_3dm_event_action_config_save","function":"save","takes":["instance"]},
+{"name":"mip_call_3dm_event_action_config_load","function":"load","takes":["instance"]},
+{"name":"mip_call_3dm_event_action_config_default","function":"default","takes":["instance"]}
+],
+"3dm.device_settings": [
+{"name":"mip_call_3dm_device_settings_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_device_settings_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_device_settings_default","function":"default","takes":[]}
+],
+"3dm.sensor_to_vehicle_transform_euler": [
+{"name":"mip_call_3dm_sensor_to_vehicle_euler_write","function":"write","takes":["roll","pitch","yaw"]},
+{"name":"mip_call_3dm_sensor_to_vehicle_euler_read","function":"read","takes":[],"response":"3dm.sensor_to_vehicle_transform_euler_response"},
+{"name":"mip_call_3dm_sensor_to_vehicle_euler_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_euler_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_euler_default","function":"default","takes":[]}
+],
+"3dm.sensor_to_vehicle_transform_quaternion": [
+{"name":"mip_call_3dm_sensor_to_vehicle_quaternion_write","function":"write","takes":["q"]},
+{"name":"mip_call_3dm_sensor_to_vehicle_quaternion_read","function":"read","takes":[],"response":"3dm.sensor_to_vehicle_transform_quaternion_response"},
+{"name":"mip_call_3dm_sensor_to_vehicle_quaternion_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_quaternion_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_quaternion_default","function":"default","takes":[]}
+],
+"3dm.sensor_to_vehicle_transform_dcm": [
+{"name":"mip_call_3dm_sensor_to_vehicle_dcm_write","function":"write","takes":["dcm"]},
+{"name":"mip_call_3dm_sensor_to_vehicle_dcm_read","function":"read","takes":[],"response":"3dm.sensor_to_vehicle_transform_dcm_response"},
+{"name":"mip_call_3dm_sensor_to_vehicle_dcm_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_dcm_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_sensor_to_vehicle_dcm_default","function":"default","takes":[]}
+],
+"3dm.accel_bias": [
+{"name":"mip_call_3dm_accel_bias_write","function":"write","takes":["bias"]},
+{"name":"mip_call_3dm_accel_bias_read","function":"read","takes":[],"response":"3dm.accel_bias_response"},
+{"name":"mip_call_3dm_accel_bias_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_accel_bias_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_accel_bias_default","function":"default","takes":[]},
+{"name":"mip_call_3dm_accel_bias_apply","function":"apply","takes":["bias"]}
+],
+"3dm.gyro_bias": [
+{"name":"mip_call_3dm_gyro_bias_write","function":"write","takes":["bias"]},
+{"name":"mip_call_3dm_gyro_bias_read","function":"read","takes":[],"response":"3dm.gyro_bias_response"},
+{"name":"mip_call_3dm_gyro_bias_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_gyro_bias_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_gyro_bias_default","function":"default","takes":[]},
+{"name":"mip_call_3dm_gyro_bias_apply","function":"apply","takes":["bias"]}
+],
+"3dm.capture_gyro_bias": [
+{"name":"mip_call_3dm_capture_gyro_bias","takes":["averaging_time_ms"],"response":"3dm.gyro_bias_response"}
+],
+"3dm.mag_hard_iron_offset": [
+{"name":"mip_call_3dm_mag_hard_iron_offset_write","function":"write","takes":["offset"]},
+{"name":"mip_call_3dm_mag_hard_iron_offset_read","function":"read","takes":[],"response":"3dm.mag_hard_iron_offset_response"},
+{"name":"mip_call_3dm_mag_hard_iron_offset_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_mag_hard_iron_offset_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_mag_hard_iron_offset_default","function":"default","takes":[]},
+{"name":"mip_call_3dm_mag_hard_iron_offset_apply","function":"apply","takes":["offset"]}
+],
+"3dm.mag_soft_iron_matrix": [
+{"name":"mip_call_3dm_mag_soft_iron_matrix_write","function":"write","takes":["matrix"]},
+{"name":"mip_call_3dm_mag_soft_iron_matrix_read","function":"read","takes":[],"response":"3dm.mag_soft_iron_matrix_response"},
+{"name":"mip_call_3dm_mag_soft_iron_matrix_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_mag_soft_iron_matrix_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_mag_soft_iron_matrix_default","function":"default","takes":[]},
+{"name":"mip_call_3dm_mag_soft_iron_matrix_apply","function":"apply","takes":["matrix"]}
+],
+"3dm.coning_sculling_enable": [
+{"name":"mip_call_3dm_coning_sculling_enable_write","function":"write","takes":["enable"]},
+{"name":"mip_call_3dm_coning_sculling_enable_read","function":"read","takes":[],"response":"3dm.coning_sculling_enable_response"},
+{"name":"mip_call_3dm_coning_sculling_enable_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_coning_sculling_enable_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_coning_sculling_enable_default","function":"default","takes":[]}
+],
+"3dm.uart_baud_rate": [
+{"name":"mip_call_3dm_uart_baud_rate_write","function":"write","takes":["baud"]},
+{"name":"mip_call_3dm_uart_baud_rate_read","function":"read","takes":[],"response":"3dm.uart_baud_rate_response"},
+{"name":"mip_call_3dm_uart_baud_rate_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_uart_baud_rate_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_uart_baud_rate_default","function":"default","takes":[]}
+],
+"3dm.gpio_config": [
+{"name":"mip_call_3dm_gpio_config_write","function":"write","takes":["pin","feature","behavior","pin_mode"]},
+{"name":"mip_call_3dm_gpio_config_read","function":"read","takes":["pin"],"response":"3dm.gpio_config_response"},
+{"name":"mip_call_3dm_gpio_config_save","function":"save","takes":["pin"]},
+{"name":"mip_call_3dm_gpio_config_load","function":"load","takes":["pin"]},
+{"name":"mip_call_3dm_gpio_config_default","function":"default","takes":["pin"]}
+],
+"3dm.gpio_state": [
+{"name":"mip_call_3dm_gpio_state_write","function":"write","takes":["pin","state"]},
+{"name":"mip_call_3dm_gpio_state_read","function":"read","takes":["pin"],"response":"3dm.gpio_state_response"}
+],
+"3dm.odometer_config": [
+{"name":"mip_call_3dm_odometer_config_write","function":"write","takes":["mode","scaling","uncertainty"]},
+{"name":"mip_call_3dm_odometer_config_read","function":"read","takes":[],"response":"3dm.odometer_config_response"},
+{"name":"mip_call_3dm_odometer_config_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_odometer_config_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_odometer_config_default","function":"default","takes":[]}
+],
+"3dm.imu_low_pass_filter": [
+{"name":"mip_call_3dm_imu_low_pass_filter_write","function":"write","takes":["target_descriptor","enable","manual","frequency"]},
+{"name":"mip_call_3dm_imu_low_pass_filter_read","function":"read","takes":["target_descriptor"],"response":"3dm.imu_low_pass_filter_response"},
+{"name":"mip_call_3dm_imu_low_pass_filter_save","function":"save","takes":["target_descriptor"]},
+{"name":"mip_call_3dm_imu_low_pass_filter_load","function":"load","takes":["target_descriptor"]},
+{"name":"mip_call_3dm_imu_low_pass_filter_default","function":"default","takes":["target_descriptor"]}
+],
+"3dm.complementary_filter": [
+{"name":"mip_call_3dm_complementary_filter_write","function":"write","takes":["pitch_roll_enable","heading_enable","pitch_roll_time_constant","heading_time_constant"]},
+{"name":"mip_call_3dm_complementary_filter_read","function":"read","takes":[],"response":"3dm.complementary_filter_response"},
+{"name":"mip_call_3dm_complementary_filter_save","function":"save","takes":[]},
+{"name":"mip_call_3dm_complementary_filter_load","function":"load","takes":[]},
+{"name":"mip_call_3dm_complementary_filter_default","function":"default","takes":[]}
+],
+"3dm.sensor_range": [
+{"name":"mip_call_3dm_sensor_range_write","function":"write","takes":["sensor","setting"]},
+{"name":"mip_call_3dm_sensor_range_read","function":"read","takes":["sensor"],"response":"3dm.sensor_range_response"},
+{"name":"mip_call_3dm_sensor_range_save","function":"save","takes":["sensor"]},
+{"name":"mip_call_3dm_sensor_range_load","function":"load","takes":["sensor"]},
+{"name":"mip_call_3dm_sensor_range_default","function":"default","takes":["sensor"]}
+],
+"3dm.get_calibrated_sensor_ranges": [
+{"name":"mip_call_3dm_get_calibrated_sensor_ranges","takes":["sensor"],"response":"3dm.get_calibrated_sensor_ranges_response"}
+],
+"3dm.low_pass_filter": [
+{"name":"mip_call_3dm_low_pass_filter_write","function":"write","takes":["descriptor_set","field_descriptor","enable","manual","frequency"]},
+{"name":"mip_call_3dm_low_pass_filter_read","function":"read","takes":["descriptor_set","field_descriptor"],"response":"3dm.low_pass_filter_response"},
+{"name":"mip_call_3dm_low_pass_filter_save","function":"save","takes":["descriptor_set","field_descriptor"]},
+{"name":"mip_call_3dm_low_pass_filter_load","function":"load","takes":["descriptor_set","field_descriptor"]},
+{"name":"mip_call_3dm_low_pass_filter_default","function":"default","takes":["descriptor_set","field_descriptor"]}
+],
+"3dm.device_status": [
+{"name":"mip_call_3dm_device_status","takes":["model_number","status_selector"]},
+{"name":"mip_call_for_3dm_device_status_basic_response","takes":["model_number"],"response":"3dm.device_status_basic_response"},
+{"name":"mip_call_for_3dm_device_status_basic_stateless_response","takes":["model_number"],"response":"3dm.device_status_basic_without_state_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_gnss_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_gnss_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_gq4_45_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_gq4_45_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_rq1_45_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_rq1_45_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_gx4_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_gx4_response"},
+{"name":"mip_call_for_3dm_device_status_diagnostic_imu_response","takes":["model_number"],"response":"3dm.device_status_diagnostic_imu_response"}
+],
+"filter.reset": [
+{"name":"mip_call_filter_reset"}
+],
+"filter.set_initial_attitude": [
+{"name":"mip_call_filter_set_initial_attitude","takes":["roll","pitch","heading"]}
+],
+"filter.set_initial_heading": [
+{"name":"mip_call_filter_set_initial_heading","takes":["heading"]}
+],
+"filter.run": [
+{"name":"mip_call_filter_run"}
+],
+"filter.vehicle_dynamics_mode": [
+{"name":"mip_call_filter_vehicle_dynamics_mode_write","function":"write","takes":["mode"]},
+{"name":"mip_call_filter_vehicle_dynamics_mode_read","function":"read","takes":[],"response":"filter.vehicle_dynamics_mode_response"},
+{"name":"mip_call_filter_vehicle_dynamics_mode_save","function":"save","takes":[]},
+{"name":"mip_call_filter_vehicle_dynamics_mode_load","function":"load","takes":[]},
+{"name":"mip_call_filter_vehicle_dynamics_mode_default","function":"default","takes":[]}
+],
+"filter.sensor_to_vehicle_rotation_euler": [
+{"name":"mip_call_filter_sensor_to_vehicle_euler_write","function":"write","takes":["roll","pitch","yaw"]},
+{"name":"mip_call_filter_sensor_to_vehicle_euler_read","function":"read","takes":[],"response":"filter.sensor_to_vehicle_rotation_euler_response"},
+{"name":"mip_call_filter_sensor_to_vehicle_euler_save","function":"save","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_euler_load","function":"load","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_euler_default","function":"default","takes":[]}
+],
+"filter.sensor_to_vehicle_offset": [
+{"name":"mip_call_filter_sensor_to_vehicle_offset_write","function":"write","takes":["offset"]},
+{"name":"mip_call_filter_sensor_to_vehicle_offset_read","function":"read","takes":[],"response":"filter.sensor_to_vehicle_offset_response"},
+{"name":"mip_call_filter_sensor_to_vehicle_offset_save","function":"save","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_offset_load","function":"load","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_offset_default","function":"default","takes":[]}
+],
+"filter.antenna_offset": [
+{"name":"mip_call_filter_antenna_offset_write","function":"write","takes":["offset"]},
+{"name":"mip_call_filter_antenna_offset_read","function":"read","takes":[],"response":"filter.antenna_offset_response"},
+{"name":"mip_call_filter_antenna_offset_save","function":"save","takes":[]},
+{"name":"mip_call_filter_antenna_offset_load","function":"load","takes":[]},
+{"name":"mip_call_filter_antenna_offset_default","function":"default","takes":[]}
+],
+"filter.estimation_control": [
+{"name":"mip_call_filter_estimation_control_write","function":"write","takes":["flags"]},
+{"name":"mip_call_filter_estimation_control_read","function":"read","takes":[],"response":"filter.estimation_control_response"},
+{"name":"mip_call_filter_estimation_control_save","function":"save","takes":[]},
+{"name":"mip_call_filter_estimation_control_load","function":"load","takes":[]},
+{"name":"mip_call_filter_estimation_control_default","function":"default","takes":[]}
+],
+"filter.gnss_source": [
+{"name":"mip_call_filter_gnss_source_write","function":"write","takes":["source"]},
+{"name":"mip_call_filter_gnss_source_read","function":"read","takes":[],"response":"filter.gnss_source_response"},
+{"name":"mip_call_filter_gnss_source_save","function":"save","takes":[]},
+{"name":"mip_call_filter_gnss_source_load","function":"load","takes":[]},
+{"name":"mip_call_filter_gnss_source_default","function":"default","takes":[]}
+],
+"filter.external_gnss_update": [
+{"name":"mip_call_filter_external_gnss_update","takes":["tow","week_number","latitude","longitude","height","velocity","position_uncertainty","velocity_uncertainty"]}
+],
+"filter.external_heading_update": [
+{"name":"mip_call_filter_external_heading_update","takes":["heading","heading_uncertainty","type"]}
+],
+"filter.heading_source": [
+{"name":"mip_call_filter_heading_source_write","function":"write","takes":["source"]},
+{"name":"mip_call_filter_heading_source_read","function":"read","takes":[],"response":"filter.heading_source_response"},
+{"name":"mip_call_filter_heading_source_save","function":"save","takes":[]},
+{"name":"mip_call_filter_heading_source_load","function":"load","takes":[]},
+{"name":"mip_call_filter_heading_source_default","function":"default","takes":[]}
+],
+"filter.auto_initialization_control": [
+{"name":"mip_call_filter_auto_initialization_control_write","function":"write","takes":["enable"]},
+{"name":"mip_call_filter_auto_initialization_control_read","function":"read","takes":[],"response":"filter.auto_initialization_control_response"},
+{"name":"mip_call_filter_auto_initialization_control_save","function":"save","takes":[]},
+{"name":"mip_call_filter_auto_initialization_control_load","function":"load","takes":[]},
+{"name":"mip_call_filter_auto_initialization_control_default","function":"default","takes":[]}
+],
+"filter.accel_noise": [
+{"name":"mip_call_filter_accel_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_accel_noise_read","function":"read","takes":[],"response":"filter.accel_noise_response"},
+{"name":"mip_call_filter_accel_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_accel_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_accel_noise_default","function":"default","takes":[]}
+],
+"filter.gyro_noise": [
+{"name":"mip_call_filter_gyro_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_gyro_noise_read","function":"read","takes":[],"response":"filter.gyro_noise_response"},
+{"name":"mip_call_filter_gyro_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_gyro_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_gyro_noise_default","function":"default","takes":[]}
+],
+"filter.accel_bias_model": [
+{"name":"mip_call_filter_accel_bias_model_write","function":"write","takes":["beta","noise"]},
+{"name":"mip_call_filter_accel_bias_model_read","function":"read","takes":[],"response":"filter.accel_bias_model_response"},
+{"name":"mip_call_filter_accel_bias_model_save","function":"save","takes":[]},
+{"name":"mip_call_filter_accel_bias_model_load","function":"load","takes":[]},
+{"name":"mip_call_filter_accel_bias_model_default","function":"default","takes":[]}
+],
+"filter.gyro_bias_model": [
+{"name":"mip_call_filter_gyro_bias_model_write","function":"write","takes":["beta","noise"]},
+{"name":"mip_call_filter_gyro_bias_model_read","function":"read","takes":[],"response":"filter.gyro_bias_model_response"},
+{"name":"mip_call_filter_gyro_bias_model_save","function":"save","takes":[]},
+{"name":"mip_call_filter_gyro_bias_model_load","function":"load","takes":[]},
+{"name":"mip_call_filter_gyro_bias_model_default","function":"default","takes":[]}
+],
+"filter.auto_zupt": [
+{"name":"mip_call_filter_auto_zupt_write","function":"write","takes":["enable","threshold"]},
+{"name":"mip_call_filter_auto_zupt_read","function":"read","takes":[],"response":"filter.auto_zupt_response"},
+{"name":"mip_call_filter_auto_zupt_save","function":"save","takes":[]},
+{"name":"mip_call_filter_auto_zupt_load","function":"load","takes":[]},
+{"name":"mip_call_filter_auto_zupt_default","function":"default","takes":[]}
+],
+"filter.external_heading_update_with_time": [
+{"name":"mip_call_filter_external_heading_update_with_time","takes":["tow","week_number","heading","heading_uncertainty","type"]}
+],
+"filter.auto_angular_zupt": [
+{"name":"mip_call_filter_auto_angular_zupt_write","function":"write","takes":["enable","threshold"]},
+{"name":"mip_call_filter_auto_angular_zupt_read","function":"read","takes":[],"response":"filter.auto_angular_zupt_response"},
+{"name":"mip_call_filter_auto_angular_zupt_save","function":"save","takes":[]},
+{"name":"mip_call_filter_auto_angular_zupt_load","function":"load","takes":[]},
+{"name":"mip_call_filter_auto_angular_zupt_default","function":"default","takes":[]}
+],
+"filter.tare_orientation": [
+{"name":"mip_call_filter_tare_orientation_write","function":"write","takes":["axes"]},
+{"name":"mip_call_filter_tare_orientation_read","function":"read","takes":[],"response":"filter.tare_orientation_response"},
+{"name":"mip_call_filter_tare_orientation_save","function":"save","takes":[]},
+{"name":"mip_call_filter_tare_orientation_load","function":"load","takes":[]},
+{"name":"mip_call_filter_tare_orientation_default","function":"default","takes":[]}
+],
+"filter.commanded_zupt": [
+{"name":"mip_call_filter_commanded_zupt"}
+],
+"filter.commanded_angular_zupt": [
+{"name":"mip_call_filter_commanded_angular_zupt"}
+],
+"filter.reference_position": [
+{"name":"mip_call_filter_reference_position_write","function":"write","takes":["enable","latitude","longitude","altitude"]},
+{"name":"mip_call_filter_reference_position_read","function":"read","takes":[],"response":"filter.reference_position_response"},
+{"name":"mip_call_filter_reference_position_save","function":"save","takes":[]},
+{"name":"mip_call_filter_reference_position_load","function":"load","takes":[]},
+{"name":"mip_call_filter_reference_position_default","function":"default","takes":[]}
+],
+"filter.mag_capture_auto_calibration": [
+{"name":"mip_call_filter_mag_capture_auto_calibration_write","function":"write","takes":[]},
+{"name":"mip_call_filter_mag_capture_auto_calibration_save","function":"save","takes":[]}
+],
+"filter.gravity_noise": [
+{"name":"mip_call_filter_gravity_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_gravity_noise_read","function":"read","takes":[],"response":"filter.gravity_noise_response"},
+{"name":"mip_call_filter_gravity_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_gravity_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_gravity_noise_default","function":"default","takes":[]}
+],
+"filter.pressure_altitude_noise": [
+{"name":"mip_call_filter_pressure_altitude_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_pressure_altitude_noise_read","function":"read","takes":[],"response":"filter.pressure_altitude_noise_response"},
+{"name":"mip_call_filter_pressure_altitude_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_pressure_altitude_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_pressure_altitude_noise_default","function":"default","takes":[]}
+],
+"filter.hard_iron_offset_noise": [
+{"name":"mip_call_filter_hard_iron_offset_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_hard_iron_offset_noise_read","function":"read","takes":[],"response":"filter.hard_iron_offset_noise_response"},
+{"name":"mip_call_filter_hard_iron_offset_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_hard_iron_offset_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_hard_iron_offset_noise_default","function":"default","takes":[]}
+],
+"filter.soft_iron_matrix_noise": [
+{"name":"mip_call_filter_soft_iron_matrix_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_soft_iron_matrix_noise_read","function":"read","takes":[],"response":"filter.soft_iron_matrix_noise_response"},
+{"name":"mip_call_filter_soft_iron_matrix_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_soft_iron_matrix_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_soft_iron_matrix_noise_default","function":"default","takes":[]}
+],
+"filter.enable_measurements": [
+{"name":"mip_call_filter_enable_measurements_write","function":"write","takes":["control"]},
+{"name":"mip_call_filter_enable_measurements_read","function":"read","takes":[],"response":"filter.enable_measurements_response"},
+{"name":"mip_call_filter_enable_measurements_save","function":"save","takes":[]},
+{"name":"mip_call_filter_enable_measurements_load","function":"load","takes":[]},
+{"name":"mip_call_filter_enable_measurements_default","function":"default","takes":[]}
+],
+"filter.mag_noise": [
+{"name":"mip_call_filter_mag_noise_write","function":"write","takes":["noise"]},
+{"name":"mip_call_filter_mag_noise_read","function":"read","takes":[],"response":"filter.mag_noise_response"},
+{"name":"mip_call_filter_mag_noise_save","function":"save","takes":[]},
+{"name":"mip_call_filter_mag_noise_load","function":"load","takes":[]},
+{"name":"mip_call_filter_mag_noise_default","function":"default","takes":[]}
+],
+"filter.magnetic_declination_source": [
+{"name":"mip_call_filter_magnetic_declination_source_write","function":"write","takes":["source","declination"]},
+{"name":"mip_call_filter_magnetic_declination_source_read","function":"read","takes":[],"response":"filter.magnetic_declination_source_response"},
+{"name":"mip_call_filter_magnetic_declination_source_save","function":"save","takes":[]},
+{"name":"mip_call_filter_magnetic_declination_source_load","function":"load","takes":[]},
+{"name":"mip_call_filter_magnetic_declination_source_default","function":"default","takes":[]}
+],
+"filter.accel_magnitude_error_adaptive_measurement": [
+{"name":"mip_call_filter_accel_magnitude_adaptive_write","function":"write","takes":["adaptive_measurement"]},
+{"name":"mip_call_filter_accel_magnitude_adaptive_read","function":"read","takes":[],"response":"filter.accel_magnitude_error_adaptive_measurement_response"},
+{"name":"mip_call_filter_accel_magnitude_adaptive_save","function":"save","takes":[]},
+{"name":"mip_call_filter_accel_magnitude_adaptive_load","function":"load","takes":[]},
+{"name":"mip_call_filter_accel_magnitude_adaptive_default","function":"default","takes":[]}
+],
+"filter.mag_magnitude_error_adaptive_measurement": [
+{"name":"mip_call_filter_mag_magnitude_adaptive_write","function":"write","takes":["adaptive_measurement","frequency","low_limit","high_limit","low_limit_uncertainty","high_limit_uncertainty","minimum_uncertainty"]},
+{"name":"mip_call_filter_mag_magnitude_adaptive_read","function":"read","takes":[],"response":"filter.mag_magnitude_error_adaptive_measurement_response"},
+{"name":"mip_call_filter_mag_magnitude_adaptive_save","function":"save","takes":[]},
+{"name":"mip_call_filter_mag_magnitude_adaptive_load","function":"load","takes":[]},
+{"name":"mip_call_filter_mag_magnitude_adaptive_default","function":"default","takes":[]}
+],
+"filter.mag_dip_angle_error_adaptive_measurement": [
+{"name":"mip_call_filter_mag_dip_angle_adaptive_write","function":"write","takes":["enable","frequency","high_limit","high_limit_uncertainty","minimum_uncertainty"]},
+{"name":"mip_call_filter_mag_dip_angle_adaptive_read","function":"read","takes":[],"response":"filter.mag_dip_angle_error_adaptive_measurement_response"},
+{"name":"mip_call_filter_mag_dip_angle_adaptive_save","function":"save","takes":[]},
+{"name":"mip_call_filter_mag_dip_angle_adaptive_load","function":"load","takes":[]},
+{"name":"mip_call_filter_mag_dip_angle_adaptive_default","function":"default","takes":[]}
+],
+"filter.altitude_aiding": [
+{"name":"mip_call_filter_altitude_aiding_write","function":"write","takes":["selector"]},
+{"name":"mip_call_filter_altitude_aiding_read","function":"read","takes":[],"response":"filter.altitude_aiding_response"},
+{"name":"mip_call_filter_altitude_aiding_save","function":"save","takes":[]},
+{"name":"mip_call_filter_altitude_aiding_load","function":"load","takes":[]},
+{"name":"mip_call_filter_altitude_aiding_default","function":"default","takes":[]}
+],
+"filter.pitch_roll_aiding": [
+{"name":"mip_call_filter_pitch_roll_aiding_write","function":"write","takes":["aiding"]},
+{"name":"mip_call_filter_pitch_roll_aiding_read","function":"read","takes":[],"response":"filter.pitch_roll_aiding_response"},
+{"name":"mip_call_filter_pitch_roll_aiding_save","function":"save","takes":[]},
+{"name":"mip_call_filter_pitch_roll_aiding_load","function":"load","takes":[]},
+{"name":"mip_call_filter_pitch_roll_aiding_default","function":"default","takes":[]}
+],
+"filter.magnetic_inclination_source": [
+{"name":"mip_call_filter_magnetic_inclination_source_write","function":"write","takes":["source","inclination"]},
+{"name":"mip_call_filter_magnetic_inclination_source_read","function":"read","takes":[],"response":"filter.magnetic_inclination_source_response"},
+{"name":"mip_call_filter_magnetic_inclination_source_save","function":"save","takes":[]},
+{"name":"mip_call_filter_magnetic_inclination_source_load","function":"load","takes":[]},
+{"name":"mip_call_filter_magnetic_inclination_source_default","function":"default","takes":[]}
+],
+"filter.magnetic_magnitude_source": [
+{"name":"mip_call_filter_magnetic_magnitude_source_write","function":"write","takes":["source","magnitude"]},
+{"name":"mip_call_filter_magnetic_magnitude_source_read","function":"read","takes":[],"response":"filter.magnetic_magnitude_source_response"},
+{"name":"mip_call_filter_magnetic_magnitude_source_save","function":"save","takes":[]},
+{"name":"mip_call_filter_magnetic_magnitude_source_load","function":"load","takes":[]},
+{"name":"mip_call_filter_magnetic_magnitude_source_default","function":"default","takes":[]}
+],
+"filter.sensor_to_vehicle_rotation_dcm": [
+{"name":"mip_call_filter_sensor_to_vehicle_dcm_write","function":"write","takes":["dcm"]},
+{"name":"mip_call_filter_sensor_to_vehicle_dcm_read","function":"read","takes":[],"response":"filter.sensor_to_vehicle_rotation_dcm_response"},
+{"name":"mip_call_filter_sensor_to_vehicle_dcm_save","function":"save","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_dcm_load","function":"load","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_dcm_default","function":"default","takes":[]}
+],
+"filter.sensor_to_vehicle_rotation_quaternion": [
+{"name":"mip_call_filter_sensor_to_vehicle_quaternion_write","function":"write","takes":["q"]},
+{"name":"mip_call_filter_sensor_to_vehicle_quaternion_read","function":"read","takes":[],"response":"filter.sensor_to_vehicle_rotation_quaternion_response"},
+{"name":"mip_call_filter_sensor_to_vehicle_quaternion_save","function":"save","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_quaternion_load","function":"load","takes":[]},
+{"name":"mip_call_filter_sensor_to_vehicle_quaternion_default","function":"default","takes":[]}
+],
+"filter.aiding_measurement_enable": [
+{"name":"mip_call_filter_aiding_measurement_enable_write","function":"write","takes":["aiding_source","enable"]},
+{"name":"mip_call_filter_aiding_measurement_enable_read","function":"read","takes":["aiding_source"],"response":"filter.aiding_measurement_enable_response"},
+{"name":"mip_call_filter_aiding_measurement_enable_save","function":"save","takes":["aiding_source"]},
+{"name":"mip_call_filter_aiding_measurement_enable_load","function":"load","takes":["aiding_source"]},
+{"name":"mip_call_filter_aiding_measurement_enable_default","function":"default","takes":["aiding_source"]}
+],
+"filter.kinematic_constraint": [
+{"name":"mip_call_filter_kinematic_constraint_write","function":"write","takes":["accel_constraint","velocity_constraint","angular_constraint"]},
+{"name":"mip_call_filter_kinematic_constraint_read","function":"read","takes":[],"response":"filter.kinematic_constraint_response"},
+{"name":"mip_call_filter_kinematic_constraint_save","function":"save","takes":[]},
+{"name":"mip_call_filter_kinematic_constraint_load","function":"load","takes":[]},
+{"name":"mip_call_filter_kinematic_constraint_default","function":"default","takes":[]}
+],
+"filter.initialization_config": [
+{"name":"mip_call_filter_initialization_config_write","function":"write","takes":["wait_for_run_command","initial_condition_source","auto_heading_alignment_selector","initial_heading","initial_pitch","initial_roll","initial_position","initial_velocity","reference_frame_selector"]},
+{"name":"mip_call_filter_initialization_config_read","function":"read","takes":[],"response":"filter.initialization_config_response"},
+{"name":"mip_call_filter_initialization_config_save","function":"save","takes":[]},
+{"name":"mip_call_filter_initialization_config_load","function":"load","takes":[]},
+{"name":"mip_call_filter_initialization_config_default","function":"default","takes":[]}
+],
+"filter.adaptive_filter_options": [
+{"name":"mip_call_filter_adaptive_filter_options_write","function":"write","takes":["level","time_limit"]},
+{"name":"mip_call_filter_adaptive_filter_options_read","function":"read","takes":[],"response":"filter.adaptive_filter_options_response"},
+{"name":"mip_call_filter_adaptive_filter_options_save","function":"save","takes":[]},
+{"name":"mip_call_filter_adaptive_filter_options_load","function":"load","takes":[]},
+{"name":"mip_call_filter_adaptive_filter_options_default","function":"default","takes":[]}
+],
+"filter.multi_antenna_offset": [
+{"name":"mip_call_filter_multi_antenna_offset_write","function":"write","takes":["receiver_id","antenna_offset"]},
+{"name":"mip_call_filter_multi_antenna_offset_read","function":"read","takes":["receiver_id"],"response":"filter.multi_antenna_offset_response"},
+{"name":"mip_call_filter_multi_antenna_offset_save","function":"save","takes":["receiver_id"]},
+{"name":"mip_call_filter_multi_antenna_offset_load","function":"load","takes":["receiver_id"]},
+{"name":"mip_call_filter_multi_antenna_offset_default","function":"default","takes":["receiver_id"]}
+],
+"filter.relative_position_config": [
+{"name":"mip_call_filter_relative_position_config_write","function":"write","takes":["source","reference_frame_selector","reference_coordinates"]},
+{"name":"mip_call_filter_relative_position_config_read","function":"read","takes":[],"response":"filter.relative_position_config_response"},
+{"name":"mip_call_filter_relative_position_config_save","function":"save","takes":[]},
+{"name":"mip_call_filter_relative_position_config_load","function":"load","takes":[]},
+{"name":"mip_call_filter_relative_position_config_default","function":"default","takes":[]}
+],
+"filter.reference_point_lever_arm": [
+{"name":"mip_call_filter_reference_point_lever_arm_write","function":"write","takes":["reference_point","lever_arm_offset"]},
+{"name":"mip_call_filter_reference_point_lever_arm_read","function":"read","takes":[],"response":"filter.reference_point_lever_arm_response"},
+{"name":"mip_call_filter_reference_point_lever_arm_save","function":"save","takes":[]},
+{"name":"mip_call_filter_reference_point_lever_arm_load","function":"load","takes":[]},
+{"name":"mip_call_filter_reference_point_lever_arm_default","function":"default","takes":[]}
+],
+"filter.speed_measurement": [
+{"name":"mip_call_filter_speed_measurement","takes":["tow","speed","speed_uncertainty"]}
+],
+"filter.speed_lever_arm": [
+{"name":"mip_call_filter_speed_lever_arm_write","function":"write","takes":["lever_arm_offset"]},
+{"name":"mip_call_filter_speed_lever_arm_read","function":"read","takes":[],"response":"filter.speed_lever_arm_response"},
+{"name":"mip_call_filter_speed_lever_arm_save","function":"save","takes":[]},
+{"name":"mip_call_filter_speed_lever_arm_load","function":"load","takes":[]},
+{"name":"mip_call_filter_speed_lever_arm_default","function":"default","takes":[]}
+],
+"filter.vertical_gyro_constraint_control": [
+{"name":"mip_call_filter_vertical_gyro_constraint_write","function":"write","takes":["enable"]},
+{"name":"mip_call_filter_vertical_gyro_constraint_read","function":"read","takes":[],"response":"filter.vertical_gyro_constraint_control_response"},
+{"name":"mip_call_filter_vertical_gyro_constraint_save","function":"save","takes":[]},
+{"name":"mip_call_filter_vertical_gyro_constraint_load","function":"load","takes":[]},
+{"name":"mip_call_filter_vertical_gyro_constraint_default","function":"default","takes":[]}
+],
+"filter.wheeled_vehicle_constraint_control": [
+{"name":"mip_call_filter_wheeled_vehicle_constraint_write","function":"write","takes":["enable"]},
+{"name":"mip_call_filter_wheeled_vehicle_constraint_read","function":"read","takes":[],"response":"filter.wheeled_vehicle_constraint_control_response"},
+{"name":"mip_call_filter_wheeled_vehicle_constraint_save","function":"save","takes":[]},
+{"name":"mip_call_filter_wheeled_vehicle_constraint_load","function":"load","takes":[]},
+{"name":"mip_call_filter_wheeled_vehicle_constraint_default","function":"default","takes":[]}
+],
+"filter.gnss_antenna_calibration_control": [
+{"name":"mip_call_filter_gnss_antenna_calibration_write","function":"write","takes":["enable","max_offset"]},
+{"name":"mip_call_filter_gnss_antenna_calibration_read","function":"read","takes":[],"response":"filter.gnss_antenna_calibration_control_response"},
+{"name":"mip_call_filter_gnss_antenna_calibration_save","function":"save","takes":[]},
+{"name":"mip_call_filter_gnss_antenna_calibration_load","function":"load","takes":[]},
+{"name":"mip_call_filter_gnss_antenna_calibration_default","function":"default","takes":[]}
+],
+"gnss.receiver_info": [
+{"name":"mip_call_gnss_receiver_info","response":"gnss.receiver_info_response"}
+],
+"gnss.signal_config": [
+{"name":"mip_call_gnss_signal_config_write","function":"write","takes":["gps_enable","glonass_enable","galileo_enable","beidou_enable"]},
+{"name":"mip_call_gnss_signal_config_read","function":"read","takes":[],"response":"gnss.signal_config_response"},
+{"name":"mip_call_gnss_signal_config_save","function":"save","takes":[]},
+{"name":"mip_call_gnss_signal_config_load","function":"load","takes":[]},
+{"name":"mip_call_gnss_signal_config_default","function":"default","takes":[]}
+],
+"gnss.rtk_dongle_config": [
+{"name":"mip_call_gnss_rtk_dongle_config_write","function":"write","takes":["enable"]},
+{"name":"mip_call_gnss_rtk_dongle_config_read","function":"read","takes":[],"response":"gnss.rtk_dongle_config_response"},
+{"name":"mip_call_gnss_rtk_dongle_config_save","function":"save","takes":[]},
+{"name":"mip_call_gnss_rtk_dongle_config_load","function":"load","takes":[]},
+{"name":"mip_call_gnss_rtk_dongle_config_default","function":"default","takes":[]}
+],
+"gnss.spartn_config": [
+{"name":"mip_call_gnss_spartn_config_write","function":"write","takes":["enable","type","current_key_tow","current_key_week","current_key","next_key_tow","next_key_week","next_key"]},
+{"name":"mip_call_gnss_spartn_config_read","function":"read","takes":[],"response":"gnss.spartn_config_response"},
+{"name":"mip_call_gnss_spartn_config_save","function":"save","takes":[]},
+{"name":"mip_call_gnss_spartn_config_load","function":"load","takes":[]},
+{"name":"mip_call_gnss_spartn_config_default","function":"default","takes":[]}
+],
+"rtk.get_status_flags": [
+{"name":"mip_call_rtk_get_status_flags","response":"rtk.get_status_flags_response"}
+],
+"rtk.get_imei": [
+{"name":"mip_call_rtk_get_imei","response":"rtk.get_imei_response"}
+],
+"rtk.get_imsi": [
+{"name":"mip_call_rtk_get_imsi","response":"rtk.get_imsi_response"}
+],
+"rtk.get_iccid": [
+{"name":"mip_call_rtk_get_iccid","response":"rtk.get_iccid_response"}
+],
+"rtk.get_rssi": [
+{"name":"mip_call_rtk_get_rssi","response":"rtk.get_rssi_response"}
+],
+"rtk.connected_device_type": [
+{"name":"mip_call_rtk_connected_device_type_write","function":"write","takes":["device_type"]},
+{"name":"mip_call_rtk_connected_device_type_read","function":"read","takes":[],"response":"rtk.connected_device_type_response"},
+{"name":"mip_call_rtk_connected_device_type_save","function":"save","takes":[]},
+{"name":"mip_call_rtk_connected_device_type_load","function":"load","takes":[]},
+{"name":"mip_call_rtk_connected_device_type_default","function":"default","takes":[]}
+],
+"rtk.get_activation_code": [
+{"name":"mip_call_rtk_get_activation_code","response":"rtk.get_activation_code_response"}
+],
+"rtk.get_modem_firmware_version": [
+{"name":"mip_call_rtk_get_modem_firmware_version","response":"rtk.get_modem_firmware_version_response"}
+],
+"rtk.service_status": [
+{"name":"mip_call_rtk_service_status_with","whole":true,"response":"rtk.service_status_response"}
+],
+"rtk.erase_storage": [
+{"name":"mip_call_rtk_erase_storage","takes":["media"]}
+],
+"rtk.led_control": [
+{"name":"mip_call_rtk_led_control","takes":["primary_color","alternate_color","action","period"]}
+],
+"rtk.modem_hard_reset": [
+{"name":"mip_call_rtk_modem_hard_reset"}
+],
+"aiding.frame_config": [
+{"name":"mip_call_aiding_frame_config_write","function":"write","takes":["frame_id","format","tracking_enabled","translation","rotation"]},
+{"name":"mip_call_aiding_frame_config_read","function":"read","takes":["frame_id","format"],"response":"aiding.frame_config_response"},
+{"name":"mip_call_aiding_frame_config_save","function":"save","takes":["frame_id"]},
+{"name":"mip_call_aiding_frame_config_load","function":"load","takes":["frame_id"]},
+{"name":"mip_call_aiding_frame_config_default","function":"default","takes":["frame_id"]}
+],
+"aiding.echo_control": [
+{"name":"mip_call_aiding_echo_control_write","function":"write","takes":["mode"]},
+{"name":"mip_call_aiding_echo_control_read","function":"read","takes":[],"response":"aiding.echo_control_response"},
+{"name":"mip_call_aiding_echo_control_save","function":"save","takes":[]},
+{"name":"mip_call_aiding_echo_control_load","function":"load","takes":[]},
+{"name":"mip_call_aiding_echo_control_default","function":"default","takes":[]}
+],
+"aiding.ecef_position": [
+{"name":"mip_call_aiding_ecef_position","takes":["time","frame_id","position","uncertainty","valid_flags"]}
+],
+"aiding.llh_position": [
+{"name":"mip_call_aiding_llh_position","takes":["time","frame_id","latitude","longitude","height","uncertainty","valid_flags"]}
+],
+"aiding.height_above_ellipsoid": [
+{"name":"mip_call_aiding_height_above_ellipsoid","takes":["time","frame_id","height","uncertainty","valid_flags"]}
+],
+"aiding.ecef_velocity": [
+{"name":"mip_call_aiding_ecef_velocity","takes":["time","frame_id","velocity","uncertainty","valid_flags"]}
+],
+"aiding.ned_velocity": [
+{"name":"mip_call_aiding_ned_velocity","takes":["time","frame_id","velocity","uncertainty","valid_flags"]}
+],
+"aiding.body_frame_velocity": [
+{"name":"mip_call_aiding_body_frame_velocity","takes":["time","frame_id","velocity","uncertainty","valid_flags"]}
+],
+"aiding.true_heading": [
+{"name":"mip_call_aiding_true_heading","takes":["time","frame_id","heading","uncertainty","valid_flags"]}
+],
+"aiding.magnetic_field": [
+{"name":"mip_call_aiding_magnetic_field","takes":["time","frame_id","magnetic_field","uncertainty","valid_flags"]}
+],
+"aiding.pressure": [
+{"name":"mip_call_aiding_pressure","takes":["time","frame_id","pressure","uncertainty","valid_flags"]}
+],
+"system.interface_control": [
+{"name":"mip_call_system_interface_control_write","function":"write","takes":["port","protocols_incoming","protocols_outgoing"]},
+{"name":"mip_call_system_interface_control_read","function":"read","takes":["port"],"response":"system.interface_control_response"},
+{"name":"mip_call_system_interface_control_save","function":"save","takes":["port"]},
+{"name":"mip_call_system_interface_control_load","function":"load","takes":["port"]},
+{"name":"mip_call_system_interface_control_default","function":"default","takes":["port"]}
+],
+"system.comm_mode": [
+{"name":"mip_call_system_comm_mode_write","function":"write","takes":["mode"]},
+{"name":"mip_call_system_comm_mode_read","function":"read","takes":[],"response":"system.comm_mode_response"},
+{"name":"mip_call_system_comm_mode_save","function":"save","takes":[]},
+{"name":"mip_call_system_comm_mode_load","function":"load","takes":[]},
+{"name":"mip_call_system_comm_mode_default","function":"default","takes":[]}
+]
+}
+},
+"python": {
+"modules": {"base":"base","mip_3dm":"mip_3dm","filter":"mip_filter","gnss":"gnss","rtk":"rtk","aiding":"aiding","system":"system","sensor":"sensor","gnss_data":"gnss_data","filter_data":"filter_data","gnss_1":"gnss_1","gnss_2":"gnss_2","gnss_corrections":"gnss_corrections","gnss_external":"gnss_external","gnss_external_2":"gnss_external_2","system_data":"system_data","shared":"shared"},
+"members": {},
+"constants": {}
+},
+"rust": {
+"members": {"type":"type_"},
+"constants": {},
+"constructors": {"write":"write","read":"read","save":"save","load":"load","default":"load_default","apply":"apply"},
+"unions": {"3dm.event_trigger_config.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config.parameters":"mip_3dm::EventActionConfigParameters","3dm.event_trigger_config_response.parameters":"mip_3dm::EventTriggerConfigParameters","3dm.event_action_config_response.parameters":"mip_3dm::EventActionConfigParameters","aiding.frame_config.rotation":"aiding::FrameConfigRotation","aiding.frame_config_response.rotation":"aiding::FrameConfigRotation","event_trigger_threshold.thresholds":"types::EventTriggerThresholdThresholds"},
+"vectors": {"vector3f":"types::Vector3f","vector3d":"types::Vector3d","matrix3f":"types::Matrix3f","quatf":"types::Quatf"},
+"variants": {"combination":"Combination","euler":"Euler","gpio":"Gpio","interval":"Interval","message":"Message","none":"None","quaternion":"Quaternion","threshold":"Threshold","window":"Window"}
+}
 }
 };

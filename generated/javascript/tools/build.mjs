@@ -1,5 +1,6 @@
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
+import { fromHex, readFloat } from "../mip/bytes.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
 import { buildPacket } from "../mip/packet.mjs";
 import { namedType, parameterOf } from "../mip/names.mjs";
@@ -18,11 +19,54 @@ export function requiredOperations(protocol, field, selector) {
     return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
 }
 
-/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
-export function initialValues(protocol, field, selector) {
+/** Values that a user would send or see, for a function where the field has a selector; optional ones if asked for. */
+export function typicalValues(protocol, field, selector, optional = false) {
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const found = numbersOf(protocol, field, (field.calls ? call?.typical : field.typical) ?? {});
+    const operations = optional ? allOperations(field) : requiredOperations(protocol, field, selector);
     const values = {};
-    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
     if (field.calls) values.function = selector;
+    for (const { kind, member } of operations) {
+        if (kind !== "constant" && Object.hasOwn(found, member)) values[member] = found[member];
+    }
+    return values;
+}
+
+/** The operations of a field, those of groups too. */
+export function allOperations(field) {
+    return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
+}
+
+/** Values as JavaScript has them: the model has the bits of floats. */
+function numbersOf(protocol, record, values) {
+    const found = {};
+    for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (Object.hasOwn(values, op.member)) found[op.member] = numberOfBits(protocol, op, values[op.member]);
+    }
+    return found;
+}
+
+function numberOfBits(protocol, op, value) {
+    switch (op.kind) {
+        case "array":
+            return value.map((one) => numberOfBits(protocol, op.item, one));
+        case "struct":
+            return numbersOf(protocol, protocol.type(op.struct), value);
+        case "switch":
+            return numbersOf(protocol, { operations: op.cases.map((one) => one.operation).filter(Boolean) }, value);
+        case "scalar":
+            return protocol.scalar(op.scalar).kind === "float" ? readFloat(fromHex(value.slice(2))) : value;
+        default:
+            return Array.isArray(value) ? [...value] : value;
+    }
+}
+
+/** Values to begin with: typical ones, else as few as possible. */
+export function initialValues(protocol, field, selector) {
+    const values = typicalValues(protocol, field, selector);
+    for (const op of requiredOperations(protocol, field, selector)) {
+        if (op.kind !== "constant" && !Object.hasOwn(values, op.member)) values[op.member] = initialValue(protocol, op, field, values);
+    }
     return values;
 }
 

@@ -15,6 +15,7 @@ from ... import model as m
 from ...simulated import Quantity
 from ...typical import Typical
 from .names import symbols, type_name
+from .programs import programs
 
 #: The version of the form of the document, as the README explains it; the schema states it too.
 FORMAT = "1.0"
@@ -82,6 +83,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "examples": plain(model.examples),
         "errata": plain(model.errata),
         "simulation": _attributes(model.simulation),
+        "programs": programs(model),
     }
 
 

@@ -195,5 +195,94 @@ globalThis.mipModel = {
 {"command":"tools.bias","initial":[["bias",[0.5,0.25,0.0]]]},
 {"command":"tools.status","arguments":[["set",128]],"answers":[["status_old",["model-a"]],["status_full",["model-b","model-c"]]]}
 ]
+},
+"programs": {
+"c": {
+"scalars": {"u8":"uint8_t","u16":"uint16_t","u32":"uint32_t","u64":"uint64_t","s8":"int8_t","s16":"int16_t","s32":"int32_t","s64":"int64_t","float":"float","double":"double","bool":"mip_bool","char":"char"},
+"headers": {"tools":"tools","3d":"3d","measurements":"measurements","more":"more","copy":"copy","shared":"shared"},
+"members": {"bool":"bool_","char":"char_","class":"class_","double":"double_","float":"float_","present":"present_","register":"register_"},
+"arguments": {"bool":"bool_","char":"char_","class":"class_","double":"double_","float":"float_","present":"present_","register":"register_"},
+"calls": {
+"tools.ping": [
+{"name":"mip_call_tools_ping"}
+],
+"tools.settings": [
+{"name":"mip_call_tools_settings_write","function":"write","takes":["port","mode","baud"]},
+{"name":"mip_call_tools_settings_read","function":"read","takes":["port","mode"],"response":"tools.settings_response"},
+{"name":"mip_call_tools_settings_save","function":"save","takes":["port"]},
+{"name":"mip_call_tools_settings_load","function":"load","takes":["port"]},
+{"name":"mip_call_tools_settings_default","function":"default","takes":["port"]},
+{"name":"mip_call_tools_settings_apply","function":"apply","takes":["port","mode","baud"]}
+],
+"tools.set_time": [
+{"name":"mip_call_tools_set_time_write","function":"write","takes":["part","value"]},
+{"name":"mip_call_tools_set_time_read","function":"read","takes":["part"]},
+{"name":"mip_call_for_tools_set_time_fast_response_read","function":"read","takes":[],"response":"tools.set_time_fast_response"},
+{"name":"mip_call_for_tools_set_time_slow_response_read","function":"read","takes":[],"response":"tools.set_time_slow_response"},
+{"name":"mip_call_tools_set_time_apply","function":"apply","takes":["part","value"]}
+],
+"tools.status": [
+{"name":"mip_call_tools_status","takes":["selector"]},
+{"name":"mip_call_for_tools_status_short","takes":[],"response":"tools.status_short"},
+{"name":"mip_call_for_tools_status_long","takes":[],"response":"tools.status_long"},
+{"name":"mip_call_for_tools_status_old","takes":[],"response":"tools.status_old"},
+{"name":"mip_call_for_tools_full","takes":[],"response":"tools.status_full"}
+],
+"tools.bias": [
+{"name":"mip_call_tools_bias_write","function":"write","takes":["bias"]},
+{"name":"mip_call_tools_bias_read","function":"read","takes":[],"response":"tools.bias_vector"},
+{"name":"mip_call_tools_bias_save","function":"save","takes":[]},
+{"name":"mip_call_tools_bias_load","function":"load","takes":[]},
+{"name":"mip_call_tools_bias_default","function":"default","takes":[]}
+],
+"tools.capture_bias": [
+{"name":"mip_call_tools_capture_bias","takes":["time"],"response":"tools.bias_vector"}
+],
+"tools.formats": [
+{"name":"mip_call_tools_formats","takes":["suppress_ack","num_segments","checkpoint","segments"]}
+],
+"tools.choice": [
+{"name":"mip_call_tools_choice_write","function":"write","takes":["instance","shape","parameters"]},
+{"name":"mip_call_tools_choice_read","function":"read","takes":["instance"],"response":"tools.choice_response"}
+],
+"tools.list": [
+{"name":"mip_call_tools_list_write","function":"write","takes":["count","items"]},
+{"name":"mip_call_tools_list_read","function":"read","takes":[],"response":"tools.list_response"},
+{"name":"mip_call_tools_list_save","function":"save","takes":[]}
+],
+"tools.inventory": [
+{"name":"mip_call_tools_stock","response":"tools.inventory_response"}
+],
+"tools.pin": [
+{"name":"mip_call_tools_pin_write","function":"write","takes":["drive","use"]},
+{"name":"mip_call_tools_pin_read","function":"read","takes":["drive"],"response":"tools.pin_response"}
+],
+"tools.hello": [
+{"name":"mip_call_tools_hello_with","whole":true,"response":"tools.hello_response"}
+],
+"tools.readings": [
+{"name":"mip_call_tools_readings","takes":["drive"],"response":"tools.readings_response"}
+],
+"tools.poll": [
+{"name":"mip_call_tools_poll","takes":["descriptor_set","first","count","descriptors"]}
+],
+"3d.default": [
+{"name":"mip_call_3d_default","takes":["class","type","register","self","present"]}
+]
+}
+},
+"python": {
+"modules": {"tools":"tools","mip_3d":"mip_3d","measurements":"measurements","more":"more","copy":"copy","shared":"shared"},
+"members": {"bool":"bool_","class":"class_","float":"float_","from":"from_","self":"self_"},
+"constants": {}
+},
+"rust": {
+"members": {"self":"self_","type":"type_","use":"use_"},
+"constants": {},
+"constructors": {"write":"write","read":"read","save":"save","load":"load","default":"load_default","apply":"apply"},
+"unions": {"tools.choice.parameters":"tools::ChoiceParameters","tools.choice_response.parameters":"tools::ChoiceParameters","tools.circle.filling":"tools::CircleFilling"},
+"vectors": {"vector3f":"types::Vector3f","quatf":"types::Quatf"},
+"variants": {"circle":"Circle","empty":"Empty","label":"Label","none":"None","path":"Path","solid":"Solid","striped":"Striped","turn":"Turn"}
+}
 }
 };
