@@ -144,15 +144,90 @@ export function counted(protocol, operations, values) {
     return all;
 }
 
-/** The packet of a field with these values; raises a MipError that says what is wrong. */
-export function packetOf(protocol, field, set, values) {
-    const all = counted(protocol, field.operations, values);
-    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+/** The packet of some fields with their values, each `{ field, values }`; raises a MipError that says what is wrong. */
+export function packetOf(protocol, set, entries) {
+    const fields = entries.map(({ field, values }) => ({
+        descriptor: field.descriptor,
+        name: field.name,
+        values: counted(protocol, field.operations, values),
+    }));
+    return buildPacket(protocol, set, fields);
 }
+
+// ------------------------------------------------------------------------------------------------ optional parameters
+
+/** The groups of operations that may follow what a function requires. */
+export function optionalGroups(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const groups = field.operations.filter((op) => op.kind === "group" && op.last > required);
+    return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
+}
+
+/** How many of these groups are there. */
+export function countOptional(groups, values) {
+    const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
+    return absent < 0 ? groups.length : absent;
+}
+
+/** The operations of what is there: all that are required, and the optional ones with values. */
+export function shownOperations(protocol, field, values) {
+    const groups = optionalGroups(protocol, field, values.function);
+    const optional = groups.slice(0, countOptional(groups, values)).flatMap((op) => op.body);
+    return [...requiredOperations(protocol, field, values.function), ...optional];
+}
+
+// ------------------------------------------------------------------------------------------------ devices
+
+/** What a device says of a field: an entry of its `supports`; without a device, of any field; responses go with commands. */
+export function supportOn(protocol, device, field) {
+    if (!device || field === protocol.acknowledge) return {};
+    const names = field.role === "response" ? commandsOf(protocol, field) : [field.name];
+    return device.supports?.find((one) => names.includes(one.field));
+}
+
+function commandsOf(protocol, response) {
+    return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
+}
+
+/** What differs on a device, each in words. */
+export function differencesOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (!support) return ["it is not known to support this"];
+    const found = [];
+    if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
+    if (support.functions) found.push(`only ${support.functions.join(", ")}`);
+    if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
+    for (const parameter of field.parameters) {
+        for (const variant of parameter.variants ?? []) {
+            if (variant.by === "device" && variant.key === device.id) found.push(`${parameter.name}: ${variantText(variant)}`);
+        }
+    }
+    return found;
+}
+
+function variantText({ type, units, minimum, maximum, default: usual, only, constant, unknown, description, deprecated }) {
+    const parts = [
+        unknown && "its values are not known",
+        type && `values of ${type}`,
+        only && `only ${only.join(", ")}`,
+        constant !== undefined && `always ${constant}`,
+        units?.length && `in ${units.join(", ")}`,
+        minimum !== undefined && `at least ${minimum}`,
+        maximum !== undefined && `at most ${maximum}`,
+        usual !== undefined && `default ${usual}`,
+        deprecated && "deprecated",
+        description,
+    ];
+    return parts.filter(Boolean).join("; ") || "differs";
+}
+
+// ------------------------------------------------------------------------------------------------ answers
 
 /**
  * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
- * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ * comes; `responses`, each with the field, the condition under which it is directly behind the acknowledge, and a packet
+ * with typical values.
  */
 export function answerOf(protocol, field, values) {
     const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
@@ -161,12 +236,12 @@ export function answerOf(protocol, field, values) {
     const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
     const { acknowledge } = protocol;
     const [command, code] = acknowledge.operations.map((op) => op.member);
-    const packet = buildPacket(protocol, field.set, [
-        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
-    ]);
+    const first = { field: acknowledge, values: { [command]: field.descriptor, [code]: 0 } };
+    const packet = packetOf(protocol, field.set, [first]);
     const responses = asked.map((response) => ({
         field: response,
         when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+        packet: packetOf(protocol, field.set, [first, { field: response, values: initialValues(protocol, response) }]),
     }));
     return { acknowledge: packet, responses, conditions };
 }
