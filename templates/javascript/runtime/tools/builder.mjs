@@ -361,12 +361,20 @@ function numberInput(value, kind, size, set) {
 /** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
 export function numberOfText(text, kind) {
     const trimmed = text.trim();
-    if (kind === "float") return /^0x/i.test(trimmed) ? trimmed : trimmed === "" ? trimmed : Number(trimmed);
+    if (kind === "float") return floatOfText(trimmed);
     if (/^-?(\d+|0x[0-9a-f]+)$/i.test(trimmed)) {
         const number = trimmed.startsWith("-") ? -BigInt(trimmed.slice(1)) : BigInt(trimmed);
         return Number.isSafeInteger(Number(number)) ? Number(number) : number;
     }
-    return trimmed || NaN;
+    return trimmed;
+}
+
+/** What is no number, or too large, stays a text, which is refused when it is encoded. */
+function floatOfText(text) {
+    const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
+    if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
+    const number = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : text;
 }
 
 /** The whole number, and an input for each name in it. */

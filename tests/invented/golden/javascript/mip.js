@@ -36,7 +36,7 @@ function toHex(bytes, between = "") {
 
 /** The bytes of hexadecimal digits without anything between them. */
 function fromHex(text) {
-    if (!/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
@@ -69,14 +69,17 @@ function readInteger(bytes, signed) {
     }
 }
 
-/** The bytes of a number, a BigInt or a Boolean. */
+/** What a value is, for errors: also what cannot be made a text. */
+function described(value) {
+    if (typeof value === "string") return JSON.stringify(value);
+    if (Array.isArray(value)) return "an array";
+    return typeof value === "object" && value !== null ? "an object" : String(value);
+}
+
+/** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
 function writeInteger(value, size, signed, what) {
-    let number;
-    try {
-        number = BigInt(value);
-    } catch {
-        throw new MipError("range", `${what}: ${value} is not a whole number`);
-    }
+    if (typeof value !== "bigint" && !Number.isInteger(value)) throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
+    let number = BigInt(value);
     const width = BigInt(8 * size);
     const least = signed ? -(1n << (width - 1n)) : 0n;
     if (number < least || number >= least + (1n << width)) {
@@ -109,11 +112,14 @@ function floatBits(bytes) {
 function writeFloat(value, size, what) {
     if (typeof value === "string") {
         if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
-            throw new MipError("range", `${what}: "${value}" is not 0x and ${2 * size} hexadecimal digits`);
+            throw new MipError("range", `${what}: ${described(value)} is neither a number nor 0x and ${2 * size} hexadecimal digits`);
         }
         return fromHex(value.slice(2));
     }
-    if (typeof value !== "number") throw new MipError("range", `${what}: ${value} is not a number`);
+    if (typeof value !== "number") throw new MipError("range", `${what}: ${described(value)} is not a number`);
+    if (size === 4 && Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
+        throw new MipError("range", `${what}: ${value} does not fit in a float of 4 bytes`);
+    }
     const view = new DataView(new ArrayBuffer(size));
     if (Number.isNaN(value)) {
         view.setUint16(0, size === 4 ? 0x7fc0 : 0x7ff8);
@@ -131,14 +137,18 @@ function readText(bytes) {
 }
 
 function writeText(text, what) {
+    if (typeof text !== "string") throw new MipError("range", `${what}: ${described(text)} is not a text`);
     return Uint8Array.from(text, (character) => {
         const code = character.codePointAt(0);
-        if (code > 0xff) throw new MipError("range", `${what}: "${character}" is not a character of Latin-1`);
+        if (code > 0xff) {
+            const shown = /[\ud800-\udfff]/u.test(character) ? "half of a character" : `"${character}"`;
+            throw new MipError("range", `${what}: ${shown} (U+${code.toString(16).toUpperCase()}) is not a character of Latin-1`);
+        }
         return code;
     });
 }
 
-return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
@@ -249,7 +259,7 @@ modules["mip/codec"] = (() => {
 // unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
 // them; arrays are arrays, structures objects, and a union is an object with one member or none.
 
-const { MipError, concatenated, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
+const { MipError, concatenated, described, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
 
 /**
  * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
@@ -404,6 +414,7 @@ function selectedBy(op, values) {
 /** The data of a field with these values, in the shortest form that holds them. */
 function encodeData(protocol, field, values) {
     const writer = new Writer(protocol);
+    refuseOther({ member: field.name }, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
     let required = protocol.required(field);
     let ended; // the first parameter that was left out: all behind it must be, too
@@ -458,19 +469,23 @@ class Writer {
                 this.number(op, value);
                 break;
             case "bits":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${op.member} needs ${op.size} bytes`);
                 for (const byte of value) this.parts.push(writeInteger(byte, 1, false, op.member));
                 break;
             case "text":
+                refuseOther(op, value, typeof value === "string", "a text");
                 checkCount(op, value);
                 this.parts.push(writeText(value, op.member));
                 break;
             case "array":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 checkCount(op, value);
                 for (const item of value) this.put(op.item, item, {});
                 break;
             case "struct": {
                 const struct = this.protocol.type(op.struct);
+                refuseOther(op, value, isObject(value), "an object");
                 refuseUnknown(value, struct.parameters, struct.name);
                 for (const part of struct.operations) this.write(part, value);
                 break;
@@ -478,6 +493,7 @@ class Writer {
             case "switch": {
                 const selected = selectedBy(op, values);
                 const wanted = selected ? [selected.member] : [];
+                refuseOther(op, value, isObject(value), "an object");
                 const there = Object.keys(value);
                 if (there.length !== wanted.length || there[0] !== wanted[0]) {
                     const right = wanted[0] ?? "nothing";
@@ -493,9 +509,16 @@ class Writer {
 
     number(op, value) {
         const { size, kind } = this.protocol.scalar(op.scalar);
+        if (kind === "bool" && typeof value === "boolean") value = Number(value);
         const write = kind === "float" ? writeFloat : (number, width, what) => writeInteger(number, width, kind === "signed", what);
         this.parts.push(write(value, size, op.member));
     }
+}
+
+const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+
+function refuseOther(op, value, right, wanted) {
+    if (!right) throw new MipError("range", `${op.member}: ${described(value)} is not ${wanted}`);
 }
 
 function missing(name) {
@@ -524,7 +547,7 @@ return { decodeData, encodeData };
 modules["mip/packet"] = (() => {
 // Packets: their frame, their fields, and building them.
 
-const { MipError, checksum, concatenated, fromHex, sameBytes, toHex } = modules["mip/bytes"];
+const { MipError, checksum, concatenated, described, fromHex, sameBytes, toHex } = modules["mip/bytes"];
 const { decodeData, encodeData } = modules["mip/codec"];
 const { SHARED_SET } = modules["mip/protocol"];
 
@@ -620,8 +643,11 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`. Raises a MipError if something does not fit.
  */
 function buildPacket(protocol, set, fields) {
-    if (!(set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${set}`);
+    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     const parts = fields.flatMap((entry) => {
+        if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
+            throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
+        }
         const data = entry.raw === undefined ? dataOf(protocol, set, entry) : bytesOf(entry.raw);
         if (data.length > protocol.maxFieldData) {
             throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);
@@ -2692,12 +2718,20 @@ function numberInput(value, kind, size, set) {
 /** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
 function numberOfText(text, kind) {
     const trimmed = text.trim();
-    if (kind === "float") return /^0x/i.test(trimmed) ? trimmed : trimmed === "" ? trimmed : Number(trimmed);
+    if (kind === "float") return floatOfText(trimmed);
     if (/^-?(\d+|0x[0-9a-f]+)$/i.test(trimmed)) {
         const number = trimmed.startsWith("-") ? -BigInt(trimmed.slice(1)) : BigInt(trimmed);
         return Number.isSafeInteger(Number(number)) ? Number(number) : number;
     }
-    return trimmed || NaN;
+    return trimmed;
+}
+
+/** What is no number, or too large, stays a text, which is refused when it is encoded. */
+function floatOfText(text) {
+    const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
+    if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
+    const number = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : text;
 }
 
 /** The whole number, and an input for each name in it. */
