@@ -62,12 +62,38 @@ test("integers of eight bytes are BigInts, and all others numbers", () => {
     assert.deepEqual(decode("fffffffffffffffffffffffe").values, values);
     assert.equal(encode(values), "fffffffffffffffffffffffe");
     assert.equal(encode({ x: 5, y: 1n }), "000000000000000500000001");
-    for (const wrong of [{ x: -1, y: 0 }, { x: 1n << 64n, y: 0 }, { x: 0, y: 2147483648 }, { x: 0, y: 0.5 }, { x: 0, y: "a" }]) {
+    for (const wrong of [
+        { x: -1, y: 0 },
+        { x: 1n << 64n, y: 0 },
+        { x: 0, y: 2147483648 },
+        { x: 0, y: 0.5 },
+        { x: 0, y: "a" },
+    ]) {
         assert.throws(() => encode(wrong), { kind: "range" });
     }
 });
 
-const NO_NUMBERS = [true, false, null, undefined, "", " ", "12", " 12 ", "0x", "0x10", [], [1], {}, NaN, 1e400, -1e400, 0.5, () => 1, Symbol("x")];
+const NO_NUMBERS = [
+    true,
+    false,
+    null,
+    undefined,
+    "",
+    " ",
+    "12",
+    " 12 ",
+    "0x",
+    "0x10",
+    [],
+    [1],
+    {},
+    NaN,
+    Infinity,
+    -Infinity,
+    0.5,
+    () => 1,
+    Symbol("x"),
+];
 
 test("only numbers are numbers", () => {
     for (const scalar of ["u8", "s8", "u16", "s32", "u64", "s64", "char"]) {
@@ -160,8 +186,14 @@ test("what is decoded says where its bytes are", () => {
 });
 
 test("units of elements", () => {
-    assert.deepEqual([0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)), ["m", "", "deg"]);
-    assert.deepEqual([0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)), ["m", "m"]);
+    assert.deepEqual(
+        [0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)),
+        ["m", "", "deg"],
+    );
+    assert.deepEqual(
+        [0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)),
+        ["m", "m"],
+    );
     assert.equal(mip.unitOf({}), "");
 });
 
@@ -180,7 +212,10 @@ test("what bytes consist of", () => {
     damaged[damaged.length - 1] ^= 1;
     const kinds = (...parts) => {
         const found = segments(protocol, Uint8Array.from(parts.flatMap((part) => [...part])));
-        assert.deepEqual(found.flatMap((part) => [...part.bytes]), parts.flatMap((part) => [...part]));
+        assert.deepEqual(
+            found.flatMap((part) => [...part.bytes]),
+            parts.flatMap((part) => [...part]),
+        );
         return found.map((part) => part.kind).join(" ");
     };
     assert.equal(kinds(), "");
@@ -214,7 +249,11 @@ test("every descriptor is found in every form", () => {
         if (!field.set) return;
         const wanted = protocol.candidates(field.set, field.descriptor).map((one) => one.name);
         const text = forms[i % forms.length](pair(field));
-        assert.deepEqual(find(index, text, wanted.length).map((one) => one.field.name), wanted, text);
+        assert.deepEqual(
+            find(index, text, wanted.length).map((one) => one.field.name),
+            wanted,
+            text,
+        );
     });
     for (const form of forms) {
         const field = protocol.model.fields.at(-1);
@@ -225,7 +264,10 @@ test("every descriptor is found in every form", () => {
 test("a set is found by its number, its own fields first", () => {
     for (const set of protocol.model.sets) {
         const found = find(index, `0x${set.number.toString(16)}`, set.fields.length);
-        assert.deepEqual(found.map(({ field }) => field.name), set.fields);
+        assert.deepEqual(
+            found.map(({ field }) => field.name),
+            set.fields,
+        );
     }
 });
 

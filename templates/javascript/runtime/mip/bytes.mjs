@@ -27,7 +27,8 @@ export function toHex(bytes, between = "") {
 
 /** The bytes of hexadecimal digits without anything between them. */
 export function fromHex(text) {
-    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text))
+        throw new MipError("hex", "the text is not an even number of hexadecimal digits");
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
@@ -69,7 +70,8 @@ export function described(value) {
 
 /** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
 export function writeInteger(value, size, signed, what) {
-    if (typeof value !== "bigint" && !Number.isInteger(value)) throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
+    if (typeof value !== "bigint" && !Number.isInteger(value))
+        throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
     let number = BigInt(value);
     const width = BigInt(8 * size);
     const least = signed ? -(1n << (width - 1n)) : 0n;

@@ -91,7 +91,7 @@ export function initialValue(protocol, op, record, values) {
             const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
             return Array.from({ length: count }, (_, i) => {
                 const one = Array.isArray(given) ? given[i] : given;
-                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, parameter, one, {});
             });
         }
         case "struct": {
@@ -105,18 +105,18 @@ export function initialValue(protocol, op, record, values) {
             return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
         }
         default:
-            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+            return numberOf(protocol, parameter, given ?? firstOf(protocol, parameter, values), values);
     }
 }
 
-function firstOf(protocol, op, parameter, values) {
+function firstOf(protocol, parameter, values) {
     const type = namedType(protocol, parameter, values);
     if (type?.kind === "enum") return type.values[0].value;
     return Math.max(0, parameter.minimum ?? 0);
 }
 
 /** A number for a default: it may be the name of a value, or names of bits. */
-function numberOf(protocol, op, parameter, given, values) {
+function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
     if (Array.isArray(given)) {

@@ -36,7 +36,8 @@ function toHex(bytes, between = "") {
 
 /** The bytes of hexadecimal digits without anything between them. */
 function fromHex(text) {
-    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text))
+        throw new MipError("hex", "the text is not an even number of hexadecimal digits");
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
@@ -78,7 +79,8 @@ function described(value) {
 
 /** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
 function writeInteger(value, size, signed, what) {
-    if (typeof value !== "bigint" && !Number.isInteger(value)) throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
+    if (typeof value !== "bigint" && !Number.isInteger(value))
+        throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
     let number = BigInt(value);
     const width = BigInt(8 * size);
     const least = signed ? -(1n << (width - 1n)) : 0n;
@@ -643,7 +645,8 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`. Raises a MipError if something does not fit.
  */
 function buildPacket(protocol, set, fields) {
-    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
+        throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     const parts = fields.flatMap((entry) => {
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
@@ -755,7 +758,7 @@ function segments(protocol, bytes) {
         for (let at = from; at < to; at++) if (packetAt(protocol, bytes, at)) return true;
         return false;
     };
-    for (let at = 0; at < bytes.length;) {
+    for (let at = 0; at < bytes.length; ) {
         const size = packetAt(protocol, bytes, at);
         const left = bytes.length - at;
         if (size) {
@@ -815,7 +818,12 @@ function parametersAt(protocol, field, path) {
         if (!parameter) break;
         found.push({ parameter, record });
         const type = protocol.types.get(parameter.type);
-        record = type?.kind === "struct" ? type : parameter.cases ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) } : record;
+        record =
+            type?.kind === "struct"
+                ? type
+                : parameter.cases
+                  ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) }
+                  : record;
     }
     return found;
 }
@@ -831,10 +839,7 @@ function valueAt(values, path) {
  */
 function namedType(protocol, parameter, siblings = {}, device = undefined) {
     const variant = (parameter.variants ?? []).find(
-        (one) =>
-            one.type &&
-            !one.member &&
-            (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
+        (one) => one.type && !one.member && (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
     );
     return protocol.types.get(variant?.type ?? parameter.type);
 }
@@ -902,7 +907,8 @@ modules["tools/input"] = (() => {
 const { concatenated } = modules["mip/bytes"];
 
 // A line of a hex dump: an offset, bytes, and what they look like. What begins with the sync bytes has no offset.
-const DUMP_LINE = /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
+const DUMP_LINE =
+    /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
 
 // What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
 const TOKEN = new RegExp(
@@ -939,19 +945,19 @@ function bytesOfText(text) {
     };
 }
 
-function bytesOfToken([, double, single, escaped, number, digits]) {
+function bytesOfToken([, double, single, escapes, number, digits]) {
     const literal = double ?? single;
     if (literal !== undefined) return bytesOfLiteral(literal);
-    const hex = escaped ? escaped.replace(/\\x/g, "") : (number ?? digits);
+    const hex = escapes ? escapes.replace(/\\x/g, "") : (number ?? digits);
     const even = hex.length % 2 ? `0${hex}` : hex;
     return Uint8Array.from(even.match(/../g), (pair) => Number.parseInt(pair, 16));
 }
 
 function bytesOfLiteral(text) {
     const found = [];
-    for (const [whole, hex, escape] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
+    for (const [whole, hex, letter] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
         if (hex !== undefined) found.push(Number.parseInt(hex, 16));
-        else found.push(escape === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[escape] ?? escape.charCodeAt(0)));
+        else found.push(letter === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[letter] ?? letter.charCodeAt(0)));
     }
     return Uint8Array.from(found);
 }
@@ -1007,7 +1013,10 @@ function decimalLiteral(value, size) {
 
 /** A number with so many significant digits at most, with an exponent if it is small or large: %g of printf. */
 function general(number, digits) {
-    const [mantissa, exponent] = number.toExponential(digits - 1).split("e").map(String);
+    const [mantissa, exponent] = number
+        .toExponential(digits - 1)
+        .split("e")
+        .map(String);
     const power = Number(exponent);
     const sign = Object.is(number, -0) ? "-" : "";
     const short = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
@@ -1017,7 +1026,10 @@ function general(number, digits) {
 
 /** A number of so many bytes in hexadecimal. */
 function hexLiteral(value, size) {
-    return `0x${BigInt(value).toString(16).toUpperCase().padStart(2 * size, "0")}`;
+    return `0x${BigInt(value)
+        .toString(16)
+        .toUpperCase()
+        .padStart(2 * size, "0")}`;
 }
 
 /** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
@@ -1060,7 +1072,12 @@ function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        const text = Array.isArray(value)
+            ? spacedHex(value)
+            : `0x${value
+                  .toString(16)
+                  .toUpperCase()
+                  .padStart(2 * size, "0")}`;
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: `${value}`, unit };
@@ -1320,7 +1337,15 @@ function entryOf(protocol, field, commands) {
     const also = field.also ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
-    const names = [field.name, name, field.title, ...also, ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]), ...symbols, ...short];
+    const names = [
+        field.name,
+        name,
+        field.title,
+        ...also,
+        ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...symbols,
+        ...short,
+    ];
     const types = field.parameters.flatMap((parameter) => partsOf(protocol, parameter));
     const sections = field.sources.map((source) => source.section);
     const asked = commands.get(field.name);
@@ -1540,7 +1565,9 @@ function numberText(names, parameter, op, value, { float, known, flags, other })
     }
     if (type?.kind === "bitfield") {
         const found = flagsOf(type, value);
-        return found.length ? flags(found.map((bits) => names.constant(type, bits)).join(" | ")) : other(type, `0x${BigInt(value).toString(16)}`);
+        return found.length
+            ? flags(found.map((bits) => names.constant(type, bits)).join(" | "))
+            : other(type, `0x${BigInt(value).toString(16)}`);
     }
     return parameter.shown ? hexLiteral(value, size) : String(value);
 }
@@ -1555,7 +1582,11 @@ function cProgram(names, field, calls) {
     const header = `mip/${names.table.headers[field.name.split(".")[0]]}`;
     if (!calls) {
         const held = field.parameters.filter((one) => one.constant === undefined && (!isUnion(one) || one.cases?.some((x) => x.parameter)));
-        const read = held.slice(0, 3).map((one) => `value.${names.member(one.name)}`).join(", ") + (held.length > 3 ? " …" : "");
+        const read =
+            held
+                .slice(0, 3)
+                .map((one) => `value.${names.member(one.name)}`)
+                .join(", ") + (held.length > 3 ? " …" : "");
         const type = names.type(field);
         return [
             `#include "${header}.h"`,
@@ -1671,7 +1702,10 @@ function cValue(names, parameter, op, value) {
     const { kind, size } = names.protocol.scalar(op.scalar);
     if (kind === "bool") return Number(value) ? "true" : "false";
     const type = names.named(op);
-    if (kind !== "float" && (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))) {
+    if (
+        kind !== "float" &&
+        (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))
+    ) {
         return cNumber(value, size, !type && parameter.shown ? hexLiteral(value, size) : undefined);
     }
     return numberText(names, parameter, op, value, {
@@ -1700,7 +1734,10 @@ function cString(text) {
 function pythonProgram(names, field, calls) {
     if (!calls) {
         const read = field.parameters.filter((one) => !isDerived(one)).map((one) => `value.${names.member(one.name)}`);
-        return pythonImports(names, `for time, value in device.fields(${names.type(field)}):\n    ${call("print(", ["time", ...read.slice(0, 3)], ")", 84)}`);
+        return pythonImports(
+            names,
+            `for time, value in device.fields(${names.type(field)}):\n    ${call("print(", ["time", ...read.slice(0, 3)], ")", 84)}`,
+        );
     }
     const lines = [];
     for (const values of calls) {
@@ -1941,7 +1978,7 @@ function initialValue(protocol, op, record, values) {
             const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
             return Array.from({ length: count }, (_, i) => {
                 const one = Array.isArray(given) ? given[i] : given;
-                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, parameter, one, {});
             });
         }
         case "struct": {
@@ -1955,18 +1992,18 @@ function initialValue(protocol, op, record, values) {
             return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
         }
         default:
-            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+            return numberOf(protocol, parameter, given ?? firstOf(protocol, parameter, values), values);
     }
 }
 
-function firstOf(protocol, op, parameter, values) {
+function firstOf(protocol, parameter, values) {
     const type = namedType(protocol, parameter, values);
     if (type?.kind === "enum") return type.values[0].value;
     return Math.max(0, parameter.minimum ?? 0);
 }
 
 /** A number for a default: it may be the name of a value, or names of bits. */
-function numberOf(protocol, op, parameter, given, values) {
+function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
     if (Array.isArray(given)) {
@@ -2153,7 +2190,8 @@ function portsFor(device, baud) {
 function streamsOf(protocol, device) {
     const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
-    const fieldsOf = (set) => (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+    const fieldsOf = (set) =>
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
@@ -2190,7 +2228,15 @@ function inspector(root, protocol, options = {}) {
         output.replaceChildren(...report(found, to));
     };
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays, strings, with or without anything between packets")),
+        element(
+            "p",
+            {},
+            element(
+                "label",
+                { for: "mip-bytes" },
+                "Bytes in hexadecimal: dumps, arrays, strings, with or without anything between packets",
+            ),
+        ),
         input,
         element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
         output,
@@ -2409,14 +2455,26 @@ function builder(root, protocol, options = {}) {
         }
     };
     const layOut = () => {
-        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped: () => (layOut(), show()) }, to), adder());
+        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped }, to), adder());
+    };
+    const reshaped = () => {
+        layOut();
+        show();
     };
     const listFields = () => {
-        const groups = protocol.model.sets.map((set) => [`${set.title} (${hexByte(set.number)})`, set.fields.map((name) => protocol.field(name))]);
+        const groups = protocol.model.sets.map((set) => [
+            `${set.title} (${hexByte(set.number)})`,
+            set.fields.map((name) => protocol.field(name)),
+        ]);
         groups.push(["All command sets", [protocol.acknowledge]]);
         const chosen = state.entries[0]?.field;
         const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
-        choice.replaceChildren(...groups.map(offered).filter(([, fields]) => fields.length).map(([label, fields]) => fieldGroup(label, fields)));
+        choice.replaceChildren(
+            ...groups
+                .map(offered)
+                .filter(([, fields]) => fields.length)
+                .map(([label, fields]) => fieldGroup(label, fields)),
+        );
         if (chosen) choice.value = chosen.name;
     };
     const adder = () => {
@@ -2517,7 +2575,15 @@ function entryForms(protocol, state, events, to) {
             "section",
             { class: "mip-entry", "data-field": entry.field.name },
             element("h2", {}, `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field)}`),
-            element("p", {}, button("Up", move(-1), i === 0), " ", button("Down", move(1), i === state.entries.length - 1), " ", button("Remove", remove)),
+            element(
+                "p",
+                {},
+                button("Up", move(-1), i === 0),
+                " ",
+                button("Down", move(1), i === state.entries.length - 1),
+                " ",
+                button("Remove", remove),
+            ),
             form,
         );
     });
@@ -2529,7 +2595,11 @@ function inputs(protocol, state, entry, events) {
     const parts = [element("p", {}, field.description), ...deviceNotes(protocol, state.device, field)];
     if (sets.length > 1 && state.entries.length === 1) {
         const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
-        parts.push(labelled("set", select(options, state.set, (number) => ((state.set = number), events.reshaped()))));
+        const change = (number) => {
+            state.set = number;
+            events.reshaped();
+        };
+        parts.push(labelled("set", select(options, state.set, change)));
     }
     const context = { protocol, device: state.device?.id, record: field, values: entry.values, events };
     if (field.calls) {
@@ -2553,7 +2623,13 @@ function deviceNotes(protocol, device, field) {
     if (!device) return [];
     const found = differencesOn(protocol, device, field);
     if (!found.length) return [];
-    return [element("ul", { class: "mip-device-notes" }, found.map((text) => element("li", {}, `${device.title}: ${text}`)))];
+    return [
+        element(
+            "ul",
+            { class: "mip-device-notes" },
+            found.map((text) => element("li", {}, `${device.title}: ${text}`)),
+        ),
+    ];
 }
 
 /** Parameters that no function requires come one after another, and go the other way round. */
@@ -2561,7 +2637,11 @@ function optionalButtons(protocol, entry, events) {
     const { field, values } = entry;
     const groups = optionalGroups(protocol, field, values.function);
     const present = countOptional(groups, values);
-    const names = (group) => group.body.filter(({ kind }) => kind !== "counter").map((op) => op.member).join(", ");
+    const names = (group) =>
+        group.body
+            .filter(({ kind }) => kind !== "counter")
+            .map((op) => op.member)
+            .join(", ");
     const add = () => {
         const typical = typicalValues(protocol, field, values.function, true);
         for (const op of groups[present].body) values[op.member] = typical[op.member] ?? initialValue(protocol, op, field, values);
@@ -2572,8 +2652,10 @@ function optionalButtons(protocol, entry, events) {
         events.reshaped();
     };
     const buttons = [
-        present < groups.length && element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
-        present > 0 && element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
+        present < groups.length &&
+            element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
+        present > 0 &&
+            element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
     ].filter(Boolean);
     return buttons.length ? [element("p", {}, buttons)] : [];
 }
@@ -2597,7 +2679,11 @@ function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
     const { protocol, record, values, events } = context;
     const parameter = parameterOf(record, op.member) ?? { name: op.member };
-    const [name, set] = [op.member, (value) => ((values[op.member] = value), events.changed())];
+    const name = op.member;
+    const set = (value) => {
+        values[name] = value;
+        events.changed();
+    };
     const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
     const note = hint ? [" ", element("small", {}, hint)] : [];
     const inside = (struct, inner) => ({ ...context, record: struct, values: inner, outer: { parameter, values } });
@@ -2613,7 +2699,13 @@ function input(context, op) {
         }
         case "struct": {
             const struct = protocol.type(op.struct);
-            return [group(name, hint, struct.operations.flatMap((part) => input(inside(struct, values[name]), part)))];
+            return [
+                group(
+                    name,
+                    hint,
+                    struct.operations.flatMap((part) => input(inside(struct, values[name]), part)),
+                ),
+            ];
         }
         case "switch": {
             const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
@@ -2653,10 +2745,19 @@ function scalarInput(context, op, parameter, note) {
 function enumInput(type, value, set) {
     const known = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
     const other = enumValue(type, value) ? undefined : value;
-    const control = element("select", {}, [...known, ["other", "another number"]].map(([number, words]) =>
-        element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
-    ));
-    const number = element("input", { value: String(other ?? ""), hidden: other === undefined, "aria-label": "another number", spellcheck: "false" });
+    const control = element(
+        "select",
+        {},
+        [...known, ["other", "another number"]].map(([number, words]) =>
+            element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
+        ),
+    );
+    const number = element("input", {
+        value: String(other ?? ""),
+        hidden: other === undefined,
+        "aria-label": "another number",
+        spellcheck: "false",
+    });
     control.addEventListener("input", () => {
         number.hidden = control.value !== "other";
         set(number.hidden ? Number(control.value) : numberOfText(number.value, "unsigned"));
@@ -2678,9 +2779,11 @@ function hexInput(context, parameter, value, size, set) {
         set(number);
     });
     if (!choices.size) return [control, meaning];
-    const list = element("datalist", { id: `mip-list-${++lastList}` }, [...choices].map(([number, words]) =>
-        element("option", { value: hexOf(number, size) }, words),
-    ));
+    const list = element(
+        "datalist",
+        { id: `mip-list-${++lastList}` },
+        [...choices].map(([number, words]) => element("option", { value: hexOf(number, size) }, words)),
+    );
     control.setAttribute("list", list.id);
     return [control, list, " ", meaning];
 }
@@ -2697,7 +2800,9 @@ function choicesOf({ protocol, values, outer }, parameter) {
     }
     const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
     if (parameter.shown !== "field" || !where) return new Map();
-    const set = Object.hasOwn(record, where) ? protocol.sets.get(Number(record[where])) : protocol.model.sets.find((one) => one.name === where);
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
     if (set?.kind !== "data") return new Map();
     const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
     return new Map(fields.map((field) => [field.descriptor, field.title]));
@@ -2796,7 +2901,10 @@ function arrayInput(context, op, parameter, hint) {
         };
         const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
         if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
-        const [control] = input({ ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } }, op.item);
+        const [control] = input(
+            { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },
+            op.item,
+        );
         const label = control.querySelector(":scope > label, :scope > legend");
         label.textContent = `${names?.[i] ?? `${op.member}[${i}]`} `;
         return control;
@@ -2842,7 +2950,10 @@ function report(protocol, { entries }, packet, to) {
         element("dt", {}, title),
         element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
     ]);
-    const title = entries.length === 1 ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`] : [`A packet of ${entries.length} fields`];
+    const title =
+        entries.length === 1
+            ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`]
+            : [`A packet of ${entries.length} fields`];
     return [
         element("h2", {}, ...title),
         element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
@@ -2867,8 +2978,15 @@ function programs(protocol, field, values) {
         const code = element("pre", {}, element("code", { "data-program": key }, text));
         return element("details", { open: key === "python" }, element("summary", {}, title), code);
     });
-    const given = field.role === "command" ? "Each has a `device` that is open." : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
-    return [element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"), element("p", {}, given.replaceAll("`", "")), ...shown];
+    const given =
+        field.role === "command"
+            ? "Each has a `device` that is open."
+            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+    return [
+        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("p", {}, given.replaceAll("`", "")),
+        ...shown,
+    ];
 }
 
 function programText(protocol, language, field, values) {
@@ -2894,7 +3012,7 @@ function answerReport(protocol, field, values, to) {
             element("br", {}),
             "for example ",
             element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
-            layoutTable(protocol, response),
+            layoutTable(response),
         ),
     );
     return [
@@ -2913,15 +3031,28 @@ function answerReport(protocol, field, values, to) {
 }
 
 /** The parameters of a response, in order. */
-function layoutTable(protocol, response) {
+function layoutTable(response) {
     const rows = response.parameters.map((parameter) => {
         const many = parameter.length === undefined ? "" : `[${parameter.length}]`;
         const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
-        return element("tr", {}, cells.map((cell) => element("td", {}, cell)));
+        return element(
+            "tr",
+            {},
+            cells.map((cell) => element("td", {}, cell)),
+        );
     });
     if (!rows.length) return "";
-    const heading = element("tr", {}, ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)));
-    return element("details", {}, element("summary", {}, "Layout"), element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)));
+    const heading = element(
+        "tr",
+        {},
+        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
+    );
+    return element(
+        "details",
+        {},
+        element("summary", {}, "Layout"),
+        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
+    );
 }
 
 function sizeText({ min_size: least, max_size: most }) {
@@ -2975,7 +3106,16 @@ function streamTable({ set, base }, rows) {
         element(
             "div",
             { class: "mip-scroll" },
-            element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(({ line }) => line))),
+            element(
+                "table",
+                {},
+                element("thead", {}, element("tr", {}, heads)),
+                element(
+                    "tbody",
+                    {},
+                    rows.map(({ line }) => line),
+                ),
+            ),
         ),
     );
 }
@@ -2984,7 +3124,13 @@ function streamTable({ set, base }, rows) {
 function streamRow(field, { set, base }, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
-    const number = element("input", { type: "number", min: base ? 1 : 0, step: base ? 1 : "any", value: base ? 10 : 1, "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}` });
+    const number = element("input", {
+        type: "number",
+        min: base ? 1 : 0,
+        step: base ? 1 : "any",
+        value: base ? 10 : 1,
+        "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}`,
+    });
     const text = element("td", { class: "mip-rate" });
     const rateOf = () => {
         const given = Math.max(0, Number(number.value) || 0);

@@ -96,7 +96,8 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`. Raises a MipError if something does not fit.
  */
 export function buildPacket(protocol, set, fields) {
-    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
+        throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     const parts = fields.flatMap((entry) => {
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);

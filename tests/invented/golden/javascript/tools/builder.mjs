@@ -52,14 +52,26 @@ export function builder(root, protocol, options = {}) {
         }
     };
     const layOut = () => {
-        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped: () => (layOut(), show()) }, to), adder());
+        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped }, to), adder());
+    };
+    const reshaped = () => {
+        layOut();
+        show();
     };
     const listFields = () => {
-        const groups = protocol.model.sets.map((set) => [`${set.title} (${hexByte(set.number)})`, set.fields.map((name) => protocol.field(name))]);
+        const groups = protocol.model.sets.map((set) => [
+            `${set.title} (${hexByte(set.number)})`,
+            set.fields.map((name) => protocol.field(name)),
+        ]);
         groups.push(["All command sets", [protocol.acknowledge]]);
         const chosen = state.entries[0]?.field;
         const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
-        choice.replaceChildren(...groups.map(offered).filter(([, fields]) => fields.length).map(([label, fields]) => fieldGroup(label, fields)));
+        choice.replaceChildren(
+            ...groups
+                .map(offered)
+                .filter(([, fields]) => fields.length)
+                .map(([label, fields]) => fieldGroup(label, fields)),
+        );
         if (chosen) choice.value = chosen.name;
     };
     const adder = () => {
@@ -160,7 +172,15 @@ function entryForms(protocol, state, events, to) {
             "section",
             { class: "mip-entry", "data-field": entry.field.name },
             element("h2", {}, `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field)}`),
-            element("p", {}, button("Up", move(-1), i === 0), " ", button("Down", move(1), i === state.entries.length - 1), " ", button("Remove", remove)),
+            element(
+                "p",
+                {},
+                button("Up", move(-1), i === 0),
+                " ",
+                button("Down", move(1), i === state.entries.length - 1),
+                " ",
+                button("Remove", remove),
+            ),
             form,
         );
     });
@@ -172,7 +192,11 @@ function inputs(protocol, state, entry, events) {
     const parts = [element("p", {}, field.description), ...deviceNotes(protocol, state.device, field)];
     if (sets.length > 1 && state.entries.length === 1) {
         const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
-        parts.push(labelled("set", select(options, state.set, (number) => ((state.set = number), events.reshaped()))));
+        const change = (number) => {
+            state.set = number;
+            events.reshaped();
+        };
+        parts.push(labelled("set", select(options, state.set, change)));
     }
     const context = { protocol, device: state.device?.id, record: field, values: entry.values, events };
     if (field.calls) {
@@ -196,7 +220,13 @@ function deviceNotes(protocol, device, field) {
     if (!device) return [];
     const found = differencesOn(protocol, device, field);
     if (!found.length) return [];
-    return [element("ul", { class: "mip-device-notes" }, found.map((text) => element("li", {}, `${device.title}: ${text}`)))];
+    return [
+        element(
+            "ul",
+            { class: "mip-device-notes" },
+            found.map((text) => element("li", {}, `${device.title}: ${text}`)),
+        ),
+    ];
 }
 
 /** Parameters that no function requires come one after another, and go the other way round. */
@@ -204,7 +234,11 @@ function optionalButtons(protocol, entry, events) {
     const { field, values } = entry;
     const groups = optionalGroups(protocol, field, values.function);
     const present = countOptional(groups, values);
-    const names = (group) => group.body.filter(({ kind }) => kind !== "counter").map((op) => op.member).join(", ");
+    const names = (group) =>
+        group.body
+            .filter(({ kind }) => kind !== "counter")
+            .map((op) => op.member)
+            .join(", ");
     const add = () => {
         const typical = typicalValues(protocol, field, values.function, true);
         for (const op of groups[present].body) values[op.member] = typical[op.member] ?? initialValue(protocol, op, field, values);
@@ -215,8 +249,10 @@ function optionalButtons(protocol, entry, events) {
         events.reshaped();
     };
     const buttons = [
-        present < groups.length && element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
-        present > 0 && element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
+        present < groups.length &&
+            element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
+        present > 0 &&
+            element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
     ].filter(Boolean);
     return buttons.length ? [element("p", {}, buttons)] : [];
 }
@@ -240,7 +276,11 @@ function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
     const { protocol, record, values, events } = context;
     const parameter = parameterOf(record, op.member) ?? { name: op.member };
-    const [name, set] = [op.member, (value) => ((values[op.member] = value), events.changed())];
+    const name = op.member;
+    const set = (value) => {
+        values[name] = value;
+        events.changed();
+    };
     const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
     const note = hint ? [" ", element("small", {}, hint)] : [];
     const inside = (struct, inner) => ({ ...context, record: struct, values: inner, outer: { parameter, values } });
@@ -256,7 +296,13 @@ function input(context, op) {
         }
         case "struct": {
             const struct = protocol.type(op.struct);
-            return [group(name, hint, struct.operations.flatMap((part) => input(inside(struct, values[name]), part)))];
+            return [
+                group(
+                    name,
+                    hint,
+                    struct.operations.flatMap((part) => input(inside(struct, values[name]), part)),
+                ),
+            ];
         }
         case "switch": {
             const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
@@ -296,10 +342,19 @@ function scalarInput(context, op, parameter, note) {
 function enumInput(type, value, set) {
     const known = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
     const other = enumValue(type, value) ? undefined : value;
-    const control = element("select", {}, [...known, ["other", "another number"]].map(([number, words]) =>
-        element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
-    ));
-    const number = element("input", { value: String(other ?? ""), hidden: other === undefined, "aria-label": "another number", spellcheck: "false" });
+    const control = element(
+        "select",
+        {},
+        [...known, ["other", "another number"]].map(([number, words]) =>
+            element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
+        ),
+    );
+    const number = element("input", {
+        value: String(other ?? ""),
+        hidden: other === undefined,
+        "aria-label": "another number",
+        spellcheck: "false",
+    });
     control.addEventListener("input", () => {
         number.hidden = control.value !== "other";
         set(number.hidden ? Number(control.value) : numberOfText(number.value, "unsigned"));
@@ -321,9 +376,11 @@ function hexInput(context, parameter, value, size, set) {
         set(number);
     });
     if (!choices.size) return [control, meaning];
-    const list = element("datalist", { id: `mip-list-${++lastList}` }, [...choices].map(([number, words]) =>
-        element("option", { value: hexOf(number, size) }, words),
-    ));
+    const list = element(
+        "datalist",
+        { id: `mip-list-${++lastList}` },
+        [...choices].map(([number, words]) => element("option", { value: hexOf(number, size) }, words)),
+    );
     control.setAttribute("list", list.id);
     return [control, list, " ", meaning];
 }
@@ -340,7 +397,9 @@ function choicesOf({ protocol, values, outer }, parameter) {
     }
     const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
     if (parameter.shown !== "field" || !where) return new Map();
-    const set = Object.hasOwn(record, where) ? protocol.sets.get(Number(record[where])) : protocol.model.sets.find((one) => one.name === where);
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
     if (set?.kind !== "data") return new Map();
     const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
     return new Map(fields.map((field) => [field.descriptor, field.title]));
@@ -439,7 +498,10 @@ function arrayInput(context, op, parameter, hint) {
         };
         const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
         if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
-        const [control] = input({ ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } }, op.item);
+        const [control] = input(
+            { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },
+            op.item,
+        );
         const label = control.querySelector(":scope > label, :scope > legend");
         label.textContent = `${names?.[i] ?? `${op.member}[${i}]`} `;
         return control;
@@ -485,7 +547,10 @@ function report(protocol, { entries }, packet, to) {
         element("dt", {}, title),
         element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
     ]);
-    const title = entries.length === 1 ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`] : [`A packet of ${entries.length} fields`];
+    const title =
+        entries.length === 1
+            ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`]
+            : [`A packet of ${entries.length} fields`];
     return [
         element("h2", {}, ...title),
         element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
@@ -510,8 +575,15 @@ function programs(protocol, field, values) {
         const code = element("pre", {}, element("code", { "data-program": key }, text));
         return element("details", { open: key === "python" }, element("summary", {}, title), code);
     });
-    const given = field.role === "command" ? "Each has a `device` that is open." : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
-    return [element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"), element("p", {}, given.replaceAll("`", "")), ...shown];
+    const given =
+        field.role === "command"
+            ? "Each has a `device` that is open."
+            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+    return [
+        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("p", {}, given.replaceAll("`", "")),
+        ...shown,
+    ];
 }
 
 function programText(protocol, language, field, values) {
@@ -537,7 +609,7 @@ function answerReport(protocol, field, values, to) {
             element("br", {}),
             "for example ",
             element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
-            layoutTable(protocol, response),
+            layoutTable(response),
         ),
     );
     return [
@@ -556,15 +628,28 @@ function answerReport(protocol, field, values, to) {
 }
 
 /** The parameters of a response, in order. */
-function layoutTable(protocol, response) {
+function layoutTable(response) {
     const rows = response.parameters.map((parameter) => {
         const many = parameter.length === undefined ? "" : `[${parameter.length}]`;
         const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
-        return element("tr", {}, cells.map((cell) => element("td", {}, cell)));
+        return element(
+            "tr",
+            {},
+            cells.map((cell) => element("td", {}, cell)),
+        );
     });
     if (!rows.length) return "";
-    const heading = element("tr", {}, ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)));
-    return element("details", {}, element("summary", {}, "Layout"), element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)));
+    const heading = element(
+        "tr",
+        {},
+        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
+    );
+    return element(
+        "details",
+        {},
+        element("summary", {}, "Layout"),
+        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
+    );
 }
 
 function sizeText({ min_size: least, max_size: most }) {

@@ -130,7 +130,9 @@ function numberText(names, parameter, op, value, { float, known, flags, other })
     }
     if (type?.kind === "bitfield") {
         const found = flagsOf(type, value);
-        return found.length ? flags(found.map((bits) => names.constant(type, bits)).join(" | ")) : other(type, `0x${BigInt(value).toString(16)}`);
+        return found.length
+            ? flags(found.map((bits) => names.constant(type, bits)).join(" | "))
+            : other(type, `0x${BigInt(value).toString(16)}`);
     }
     return parameter.shown ? hexLiteral(value, size) : String(value);
 }
@@ -145,7 +147,11 @@ function cProgram(names, field, calls) {
     const header = `mip/${names.table.headers[field.name.split(".")[0]]}`;
     if (!calls) {
         const held = field.parameters.filter((one) => one.constant === undefined && (!isUnion(one) || one.cases?.some((x) => x.parameter)));
-        const read = held.slice(0, 3).map((one) => `value.${names.member(one.name)}`).join(", ") + (held.length > 3 ? " …" : "");
+        const read =
+            held
+                .slice(0, 3)
+                .map((one) => `value.${names.member(one.name)}`)
+                .join(", ") + (held.length > 3 ? " …" : "");
         const type = names.type(field);
         return [
             `#include "${header}.h"`,
@@ -261,7 +267,10 @@ function cValue(names, parameter, op, value) {
     const { kind, size } = names.protocol.scalar(op.scalar);
     if (kind === "bool") return Number(value) ? "true" : "false";
     const type = names.named(op);
-    if (kind !== "float" && (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))) {
+    if (
+        kind !== "float" &&
+        (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))
+    ) {
         return cNumber(value, size, !type && parameter.shown ? hexLiteral(value, size) : undefined);
     }
     return numberText(names, parameter, op, value, {
@@ -290,7 +299,10 @@ function cString(text) {
 function pythonProgram(names, field, calls) {
     if (!calls) {
         const read = field.parameters.filter((one) => !isDerived(one)).map((one) => `value.${names.member(one.name)}`);
-        return pythonImports(names, `for time, value in device.fields(${names.type(field)}):\n    ${call("print(", ["time", ...read.slice(0, 3)], ")", 84)}`);
+        return pythonImports(
+            names,
+            `for time, value in device.fields(${names.type(field)}):\n    ${call("print(", ["time", ...read.slice(0, 3)], ")", 84)}`,
+        );
     }
     const lines = [];
     for (const values of calls) {

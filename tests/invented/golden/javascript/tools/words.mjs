@@ -43,7 +43,10 @@ export function decimalLiteral(value, size) {
 
 /** A number with so many significant digits at most, with an exponent if it is small or large: %g of printf. */
 function general(number, digits) {
-    const [mantissa, exponent] = number.toExponential(digits - 1).split("e").map(String);
+    const [mantissa, exponent] = number
+        .toExponential(digits - 1)
+        .split("e")
+        .map(String);
     const power = Number(exponent);
     const sign = Object.is(number, -0) ? "-" : "";
     const short = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
@@ -53,7 +56,10 @@ function general(number, digits) {
 
 /** A number of so many bytes in hexadecimal. */
 export function hexLiteral(value, size) {
-    return `0x${BigInt(value).toString(16).toUpperCase().padStart(2 * size, "0")}`;
+    return `0x${BigInt(value)
+        .toString(16)
+        .toUpperCase()
+        .padStart(2 * size, "0")}`;
 }
 
 /** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
@@ -96,7 +102,12 @@ export function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        const text = Array.isArray(value)
+            ? spacedHex(value)
+            : `0x${value
+                  .toString(16)
+                  .toUpperCase()
+                  .padStart(2 * size, "0")}`;
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: `${value}`, unit };
