@@ -618,7 +618,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
-    ///   by the wanted rate.
+    ///   by the desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -686,7 +686,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get GNSS data base rate command reports it,
-    ///   divided by the wanted rate.
+    ///   divided by the desired rate.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
@@ -753,7 +753,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get estimation filter data base rate command
-    ///   reports it, divided by the wanted rate.
+    ///   reports it, divided by the desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -1007,7 +1007,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get data base rate command reports it, divided by
-    ///   the wanted rate.
+    ///   the desired rate.
     /// - List shared descriptors (0xD0 and up) under the set whose packets will contain them,
     ///   before the others.
     ///
