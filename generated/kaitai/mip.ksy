@@ -2599,7 +2599,7 @@ types:
         doc: "Receiver, counted from 1. Range: at least 1."
       - id: mip_data_descriptor_set
         type: u1
-        doc: "Descriptor set of the data of this receiver. Range: 128 to 254."
+        doc: "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."
       - id: description
         type: str
         size: 32
@@ -2928,7 +2928,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: "Data descriptor set. Range: 128 to 254."
+        doc: "Data descriptor set. Range: 0x80 to 0xFE."
       - id: suppress_ack
         type: u1
         doc: Send no acknowledge.
@@ -2948,7 +2948,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: "Data descriptor set. Range: 128 to 254."
+        doc: "Data descriptor set. Range: 0x80 to 0xFE."
   mip_3dm_message_format:
     -orig-id: 3dm.message_format
     doc: Message Format. Fields of the data packets of a descriptor set, in order, with their decimations.

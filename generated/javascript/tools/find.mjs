@@ -89,7 +89,15 @@ function entryOf(protocol, field, commands) {
     const also = field.also ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
-    const names = [field.name, name, field.title, ...also, ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]), ...symbols, ...short];
+    const names = [
+        field.name,
+        name,
+        field.title,
+        ...also,
+        ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...symbols,
+        ...short,
+    ];
     const types = field.parameters.flatMap((parameter) => partsOf(protocol, parameter));
     const sections = field.sources.map((source) => source.section);
     const asked = commands.get(field.name);

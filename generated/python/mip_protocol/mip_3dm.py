@@ -436,7 +436,7 @@ class ImuMessageFormatResponse(Response):
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of Sensor data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -482,7 +482,7 @@ class GnssMessageFormatResponse(Response):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of GNSS data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -528,7 +528,7 @@ class FilterMessageFormatResponse(Response):
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of Filter data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -799,7 +799,7 @@ class ImuLowPassFilterResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17.
+    magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
     """
     enable: bool
     """Whether the quantity is filtered. Default: true."""
@@ -949,7 +949,7 @@ class MessageFormatResponse(Response):
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of `descriptor_set`."""
 
     def __init__(self, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptor_set = descriptor_set
@@ -4113,7 +4113,7 @@ class LowPassFilterResponse(Response):
     descriptor_set: int
     """Descriptor set of the field."""
     field_descriptor: int
-    """Field descriptor; 0 if the set is 0."""
+    """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
     enable: bool
     """Whether the field is filtered."""
     manual: bool
@@ -4185,7 +4185,7 @@ class PollImuData(Command[None]):
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Refers to fields of Sensor data."""
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
         self.suppress_ack = suppress_ack
@@ -4247,8 +4247,8 @@ class PollGnssData(Command[None]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-    not say how a poll uses it.
+    """Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
+    of the reserved number and does not say how a poll uses it.
     """
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
@@ -4309,7 +4309,7 @@ class PollFilterData(Command[None]):
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Refers to fields of Filter data."""
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
         self.suppress_ack = suppress_ack
@@ -4492,7 +4492,7 @@ class ImuMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of Sensor data. Required for `write`."""
 
     def __init__(
         self,
@@ -4607,7 +4607,7 @@ class GnssMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of GNSS data. Required for `write`."""
 
     def __init__(
         self,
@@ -4723,7 +4723,7 @@ class FilterMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of Filter data. Required for `write`."""
 
     def __init__(
         self,
@@ -4975,12 +4975,12 @@ class PollData(Command[None]):
     ROLE = "command"
 
     descriptor_set: int
-    """Data descriptor set. Range: 128 to 254."""
+    """Data descriptor set. Range: 0x80 to 0xFE."""
     suppress_ack: bool
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
-    """Field descriptors."""
+    """Field descriptors. Refers to fields of `descriptor_set`."""
 
     def __init__(
         self, descriptor_set: int, suppress_ack: bool, descriptors: tuple[int, ...]
@@ -5041,7 +5041,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     _LAYOUT = (("descriptor_set", "B", None),)
 
     descriptor_set: int
-    """Data descriptor set. Range: 128 to 254."""
+    """Data descriptor set. Range: 0x80 to 0xFE."""
 
     def __init__(self, descriptor_set: int) -> None:
         self.descriptor_set = descriptor_set
@@ -5096,7 +5096,7 @@ class MessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of `descriptor_set`. Required for `write`."""
 
     def __init__(
         self,
@@ -8269,7 +8269,7 @@ class ImuLowPassFilter(Command[R]):
     """What to do with the setting."""
     target_descriptor: int | None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17.
+    magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
 
     - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
       angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
@@ -8833,7 +8833,7 @@ class LowPassFilter(Command[R]):
     descriptor_set: int | None
     """Descriptor set of the field."""
     field_descriptor: int | None
-    """Field descriptor; 0 if the set is 0."""
+    """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
     enable: bool | None
     """Whether the field is filtered. Required for `write`."""
     manual: bool | None

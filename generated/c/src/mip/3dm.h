@@ -295,7 +295,7 @@ struct mip_3dm_poll_imu_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. */
+    /** Fields to send. Refers to fields of Sensor data. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -355,8 +355,8 @@ struct mip_3dm_poll_gnss_data {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
     uint8_t num_descriptors;
     /**
-     * Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-     * not say how a poll uses it.
+     * Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
+     * of the reserved number and does not say how a poll uses it.
      */
     struct mip_3dm_poll_entry descriptors[83];
 };
@@ -416,7 +416,7 @@ struct mip_3dm_poll_filter_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. */
+    /** Fields to send. Refers to fields of Filter data. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -736,7 +736,7 @@ struct mip_3dm_imu_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of Sensor data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -812,7 +812,7 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
 struct mip_3dm_imu_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of Sensor data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -864,7 +864,7 @@ struct mip_3dm_gnss_message_format {
      * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
      */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of GNSS data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -941,7 +941,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
 struct mip_3dm_gnss_message_format_response {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of GNSS data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -994,7 +994,7 @@ struct mip_3dm_filter_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of Filter data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -1070,7 +1070,7 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
 struct mip_3dm_filter_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of Filter data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -1338,13 +1338,13 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
 struct mip_3dm_poll_data {
-    /** Data descriptor set. Range: 128 to 254. */
+    /** Data descriptor set. Range: 0x80 to 0xFE. */
     uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Field descriptors. */
+    /** Field descriptors. Refers to fields of descriptor_set. */
     uint8_t descriptors[250];
 };
 
@@ -1394,7 +1394,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
 struct mip_3dm_get_base_rate {
-    /** Data descriptor set. Range: 128 to 254. */
+    /** Data descriptor set. Range: 0x80 to 0xFE. */
     uint8_t descriptor_set;
 };
 
@@ -1545,7 +1545,7 @@ struct mip_3dm_message_format {
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of descriptor_set. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -1627,7 +1627,7 @@ struct mip_3dm_message_format_response {
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of descriptor_set. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -5593,9 +5593,9 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor
-     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-     * 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+     * 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+     * rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. Required for write. */
@@ -5692,7 +5692,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
 struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17.
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
@@ -6245,7 +6245,7 @@ struct mip_3dm_low_pass_filter {
     uint8_t function;
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor; 0 if the set is 0. */
+    /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. Required for write. */
     mip_bool enable;
@@ -6343,7 +6343,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor; 0 if the set is 0. */
+    /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;

@@ -158,7 +158,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", description="Send no acknowledge.", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Fields to send.", length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", description="Fields to send.", facts=("Refers to fields of Sensor data.",), length="num_descriptors", type=mip_3dm.PollEntry),
         ),
     ),
     "PollGnssData": FieldInfo(
@@ -173,7 +173,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", description="Send no acknowledge.", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Range: 0 to 83."), scalar="u8", counts="descriptors", maximum=83, minimum=0),
-            Parameter("descriptors", "descriptors", "array", description="Fields to send.", facts=("Uncertain: The SDK has a decimation in place of the reserved number and does not say how a poll uses it.",), length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", description="Fields to send.", facts=("Refers to fields of GNSS data.", "Uncertain: The SDK has a decimation in place of the reserved number and does not say how a poll uses it."), length="num_descriptors", type=mip_3dm.PollEntry),
         ),
     ),
     "PollFilterData": FieldInfo(
@@ -187,7 +187,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("suppress_ack", "suppress_ack", "scalar", description="Send no acknowledge.", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Fields to send.", length="num_descriptors", type=mip_3dm.PollEntry),
+            Parameter("descriptors", "descriptors", "array", description="Fields to send.", facts=("Refers to fields of Filter data.",), length="num_descriptors", type=mip_3dm.PollEntry),
         ),
     ),
     "PollNmeaData": FieldInfo(
@@ -238,7 +238,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Required for `write`."), scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Required for `write`.",), length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of Sensor data.", "Required for `write`."), length="num_descriptors", required=("write",), type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormat": FieldInfo(
@@ -252,7 +252,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Range: 0 to 82.", "Required for `write`."), scalar="u8", counts="descriptors", maximum=82, required=("write",), minimum=0),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Required for `write`.",), length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of GNSS data.", "Required for `write`."), length="num_descriptors", required=("write",), type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormat": FieldInfo(
@@ -266,7 +266,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Required for `write`."), scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Required for `write`.",), length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of Filter data.", "Required for `write`."), length="num_descriptors", required=("write",), type=types.DescriptorRate),
         ),
     ),
     "GetFilterBaseRate": FieldInfo(
@@ -302,10 +302,10 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", facts=("Range: 128 to 254.",), scalar="u8", minimum=128, maximum=254),
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", facts=("Range: 0x80 to 0xFE.",), scalar="u8", minimum=128, maximum=254),
             Parameter("suppress_ack", "suppress_ack", "scalar", description="Send no acknowledge.", scalar="bool"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Field descriptors.", scalar="u8", length="num_descriptors"),
+            Parameter("descriptors", "descriptors", "array", description="Field descriptors.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8", length="num_descriptors"),
         ),
     ),
     "GetBaseRate": FieldInfo(
@@ -316,7 +316,7 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", facts=("Range: 128 to 254.",), scalar="u8", minimum=128, maximum=254),
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", facts=("Range: 0x80 to 0xFE.",), scalar="u8", minimum=128, maximum=254),
         ),
     ),
     "MessageFormat": FieldInfo(
@@ -331,7 +331,7 @@ TYPES: dict[str, Info] = {
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set; 0 means all of them (save, load, default).", scalar="u8", required=("write", "read", "save", "load", "default")),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Required for `write`."), scalar="u8", counts="descriptors", required=("write",)),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Required for `write`.",), length="num_descriptors", required=("write",), type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of `descriptor_set`.", "Required for `write`."), length="num_descriptors", required=("write",), type=types.DescriptorRate),
         ),
     ),
     "FactoryStreaming": FieldInfo(
@@ -738,7 +738,7 @@ TYPES: dict[str, Info] = {
         advanced=True,
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("target_descriptor", "target_descriptor", "scalar", description="Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17.", facts=("On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.",), scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.", {}),)),
+            Parameter("target_descriptor", "target_descriptor", "scalar", description="Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17.", facts=("Refers to fields of Sensor data.", "On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read."), scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.", {}),)),
             Parameter("enable", "enable", "scalar", description="Whether the quantity is filtered.", facts=("Default: true.", "Required for `write`."), scalar="bool", default=True, required=("write",)),
             Parameter("manual", "manual", "scalar", description="True uses `frequency`; false uses half the rate of the message format.", facts=("Default: false.", "Required for `write`."), scalar="bool", required=("write",), default=False),
             Parameter("frequency", "frequency", "scalar", description="Cutoff (-3 dB). It has no meaning if `manual` is false.", facts=("Unit: Hz.", "Required for `write`.", "On the 3DM-GX5-15: range at most 250."), scalar="u16", units=("Hz",), required=("write",), variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: range at most 250.", {"maximum": 250}),)),
@@ -801,7 +801,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Descriptor set of the field.", scalar="u8", required=("write", "read", "save", "load", "default")),
-            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor; 0 if the set is 0.", scalar="u8", required=("write", "read", "save", "load", "default")),
+            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor; 0 if the set is 0.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8", required=("write", "read", "save", "load", "default")),
             Parameter("enable", "enable", "scalar", description="Whether the field is filtered.", facts=("Required for `write`.",), scalar="bool", required=("write",)),
             Parameter("manual", "manual", "scalar", description="True uses `frequency`; false uses half the rate of the field in the message format.", facts=("Required for `write`.",), scalar="bool", required=("write",)),
             Parameter("frequency", "frequency", "scalar", description="Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.", facts=("Unit: Hz.", "Required for `write`."), scalar="float", units=("Hz",), required=("write",)),
@@ -829,7 +829,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of Sensor data.",), length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "GnssMessageFormatResponse": FieldInfo(
@@ -840,7 +840,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-gq4-45", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.", "Range: 0 to 82."), scalar="u8", counts="descriptors", maximum=82, minimum=0),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of GNSS data.",), length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "FilterMessageFormatResponse": FieldInfo(
@@ -851,7 +851,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         parameters=(
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of Filter data.",), length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "GetImuBaseRateResponse": FieldInfo(
@@ -922,7 +922,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("target_descriptor", "target_descriptor", "scalar", description="Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17.", scalar="u8"),
+            Parameter("target_descriptor", "target_descriptor", "scalar", description="Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17.", facts=("Refers to fields of Sensor data.",), scalar="u8"),
             Parameter("enable", "enable", "scalar", description="Whether the quantity is filtered.", facts=("Default: true.",), scalar="bool", default=True),
             Parameter("manual", "manual", "scalar", description="True uses `frequency`; false uses half the rate of the message format.", facts=("Default: false.",), scalar="bool", default=False),
             Parameter("frequency", "frequency", "scalar", description="Cutoff (-3 dB). It has no meaning if `manual` is false.", facts=("Unit: Hz.",), scalar="u16", units=("Hz",)),
@@ -960,7 +960,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set; 0 means all of them (save, load, default).", scalar="u8"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
-            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", length="num_descriptors", type=types.DescriptorRate),
+            Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of `descriptor_set`.",), length="num_descriptors", type=types.DescriptorRate),
         ),
     ),
     "DeviceStatusBasicResponse": FieldInfo(
@@ -1513,7 +1513,7 @@ TYPES: dict[str, Info] = {
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Descriptor set of the field.", scalar="u8"),
-            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor; 0 if the set is 0.", scalar="u8"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor; 0 if the set is 0.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8"),
             Parameter("enable", "enable", "scalar", description="Whether the field is filtered.", scalar="bool"),
             Parameter("manual", "manual", "scalar", description="True uses `frequency`; false uses half the rate of the field in the message format.", scalar="bool"),
             Parameter("frequency", "frequency", "scalar", description="Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.", facts=("Unit: Hz.",), scalar="float", units=("Hz",)),

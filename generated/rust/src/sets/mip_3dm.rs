@@ -355,6 +355,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -407,8 +409,8 @@ record! {
         pub suppress_ack: crate::Bool,
         /// Fields to send.
         ///
-        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say how
-        /// a poll uses it.
+        /// Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the
+        /// reserved number and does not say how a poll uses it.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -459,6 +461,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -625,7 +629,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Sensor data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -692,7 +696,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of GNSS data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -760,7 +764,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Filter data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -917,11 +921,13 @@ record! {
     pub struct PollData {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Field descriptors.
+        ///
+        /// Refers to fields of [`descriptor_set`](PollData::descriptor_set).
         pub descriptors: crate::List<u8, 250>,
     }
     wire 253 {
@@ -965,7 +971,7 @@ record! {
     pub struct GetBaseRate {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
     }
 }
@@ -1014,7 +1020,8 @@ record! {
         pub descriptor_set: Option<u8>,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of [`descriptor_set`](MessageFormat::descriptor_set). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 252 {
@@ -2972,9 +2979,10 @@ record! {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor
-        /// data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure
-        /// 0x17; 0 means all of them, except for read.
+        /// Refers to fields of Sensor data. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor data
+        /// set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+        /// 0 means all of them, except for read.
         pub target_descriptor: Option<u8>,
         /// Whether the quantity is filtered.
         ///
@@ -3247,6 +3255,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: Option<u8>,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilter::descriptor_set).
         pub field_descriptor: Option<u8>,
         /// Whether the field is filtered.
         ///
@@ -3410,6 +3420,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct ImuMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3438,6 +3450,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of GNSS data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3465,6 +3479,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3667,6 +3683,8 @@ record! {
     pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
+        ///
+        /// Refers to fields of Sensor data.
         pub target_descriptor: u8,
         /// Whether the quantity is filtered.
         ///
@@ -3752,6 +3770,8 @@ record! {
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: u8,
         /// Fields and decimations.
+        ///
+        /// Refers to fields of [`descriptor_set`](MessageFormatResponse::descriptor_set).
         pub descriptors: crate::List<types::DescriptorRate, 83>,
     }
     wire 251 {
@@ -5510,6 +5530,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: u8,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
         /// Whether the field is filtered.
         pub enable: crate::Bool,

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
+from ...descriptors import hexadecimal
 from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .members import keyword_only, members
@@ -62,37 +63,39 @@ def _name(thing: m.Type | m.Field) -> str:
 
 
 def _argument(p: m.Parameter, record: m.Field | m.Struct, values: dict[str, Any]) -> str:
-    return _value(p.operation, values[p.name])
+    return _value(p, values[p.name])
 
 
-def _value(op: m.Operation, value: Any) -> str:
+def _value(p: m.Parameter, value: Any, op: m.Operation | None = None) -> str:
+    """A value of a parameter, or of an item of its array."""
+    op = op or p.operation
     match op:
         case m.ScalarOp():
-            return _number(op, value)
+            return _number(p, op, value)
         case m.TextOp():
             text: str = value
             return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
         case m.BitsOp():
             return f"{_name(op.type)}({int.from_bytes(bytes(value), 'little'):#x})"
         case m.ArrayOp():
-            items = [_value(op.item, v) for v in value]
+            items = [_value(p, v, op.item) for v in value]
             return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
         case m.StructOp():
             given = [
-                f"{member(p.name)}={_argument(p, op.struct, value)}"
-                if keyword_only(p, op.struct)
-                else _argument(p, op.struct, value)
-                for p in members(op.struct)
-                if p.reserved is None or not keyword_only(p, op.struct)
+                f"{member(q.name)}={_argument(q, op.struct, value)}"
+                if keyword_only(q, op.struct)
+                else _argument(q, op.struct, value)
+                for q in members(op.struct)
+                if q.reserved is None or not keyword_only(q, op.struct)
             ]
             return f"{_name(op.struct)}({', '.join(given)})"
         case m.SwitchOp():
             case = next((c for c in op.cases if c.parameter and c.parameter.name in value), None)
-            return _value(case.parameter.operation, value[case.parameter.name]) if case and case.parameter else "None"
+            return _value(case.parameter, value[case.parameter.name]) if case and case.parameter else "None"
     raise AssertionError(op)
 
 
-def _number(op: m.ScalarOp, value: Any) -> str:
+def _number(p: m.Parameter, op: m.ScalarOp, value: Any) -> str:
     if op.scalar.kind == "float":
         return decimal(value)
     if op.scalar.kind == "bool":
@@ -103,4 +106,4 @@ def _number(op: m.ScalarOp, value: Any) -> str:
     if isinstance(op.type, m.Bitfield):
         named = flags(op.type, value)
         return " | ".join(f"{_name(op.type)}.{constant(b.name)}" for b in named) or f"{_name(op.type)}({value:#x})"
-    return str(value)
+    return hexadecimal(p, value) if p.shown else str(value)
