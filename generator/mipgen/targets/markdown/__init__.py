@@ -16,7 +16,22 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import answers, devices, examples, fields, packets, parameters, places, programs, related, sources, text, types
+from .. import javascript
+from . import (
+    answers,
+    devices,
+    examples,
+    fields,
+    packets,
+    parameters,
+    places,
+    programs,
+    related,
+    sources,
+    text,
+    tools,
+    types,
+)
 from .index import Index
 from .places import Page, Thing
 
@@ -37,6 +52,10 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.TYPES, "types.md.j2", set=None)
     yield page(places.ERRATA, "errata.md.j2")
     yield page(places.EXAMPLES, "examples.md.j2")
+    for tool in tools.TOOLS:
+        yield page(places.tool_page(tool), "tool.md.j2", tool=tool, start=tools.start(tool, model))
+    yield from javascript.scripts(model, tools.FOLDER, "javascript")
+    yield File(f"{tools.FOLDER}tools.css", "runtime/tools/tools.css", target="javascript")
     for s in model.sets:
         yield page(places.set_page(s.name), "set.md.j2", set=s)
         if s.types:
@@ -82,6 +101,7 @@ FILTERS: Filters = {
     "own_lines": sources.own_lines,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
+    "tools": lambda _: tools.TOOLS,
 }
 
 #: Filters that need the page where they are used: links are relative to it.

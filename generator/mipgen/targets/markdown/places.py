@@ -13,6 +13,7 @@ from ... import model as m
 from ...describe import Ref
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
+from .tools import Tool
 
 README = "README.md"
 INDEX = "docs/index.md"
@@ -23,7 +24,7 @@ ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Tool | str
 
 
 def set_page(name: str) -> str:
@@ -41,6 +42,10 @@ def types_page(owner: str | None) -> str:
 
 def device_page(d: m.Device) -> str:
     return f"docs/devices/{d.id}.md"
+
+
+def tool_page(tool: Tool) -> str:
+    return f"docs/tools/{tool.name}.md"
 
 
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
@@ -62,6 +67,8 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return ERRATA, f"erratum.{thing.id}"
         case m.Manual():
             return INDEX, f"manual.{thing.id}"
+        case Tool():
+            return tool_page(thing), ""
         case m.Word():
             kind = "frame" if thing in model.protocol.frames else "unit"
             return UNITS, f"{kind}." + re.sub(r"[^a-z0-9]+", "-", thing.title.lower()).strip("-")
@@ -79,7 +86,7 @@ def label(thing: Thing) -> str:
         case m.Field():
             of_set = f"{hexadecimal(thing.set)}," if thing.set else ""  # the acknowledge belongs to all sets
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
-        case m.Device() | m.Word():
+        case m.Device() | m.Word() | Tool():
             return plain(thing.title)
         case m.Example() | m.Erratum() | m.Manual():
             return plain(thing.id)
