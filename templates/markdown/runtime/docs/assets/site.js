@@ -115,6 +115,12 @@
         return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
     }
 
+    /** Without responses of commands that come before them: they are on the same page. */
+    function fieldsOf(found) {
+        const names = found.map(({ name }) => name);
+        return found.filter(({ command }, i) => !command || !names.slice(0, i).includes(command));
+    }
+
     function addressOf(field) {
         const [set, page] = (field.command ?? field.name).split(".");
         const page_ = field.set ? `fields/${set}/${page}.html` : "packets.html";
@@ -161,7 +167,7 @@
                 status.textContent = text ? "Loading …" : "";
                 return;
             }
-            const fields = mip.find(index, text, FIELDS).map(({ field }) => field);
+            const fields = fieldsOf(mip.find(index, text, 2 * FIELDS).map(({ field }) => field)).slice(0, FIELDS);
             const parts = passages(text, new Set(fields.map((field) => addressOf(field).page)));
             results.replaceChildren(...list("Fields", fields.map(fieldItem)), ...list("Pages", parts.map(passageItem)));
             const counts = [count(fields.length, "field"), count(parts.length, "passage")].filter(Boolean);
@@ -173,16 +179,18 @@
             index ??= mip.indexOf(of);
             show();
             await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
-            show();
+            if (document.activeElement === input) show();
         };
         const links = () => [...results.querySelectorAll("a")];
 
-        input.addEventListener("focus", begin);
+        input.addEventListener("focus", () => {
+            begin();
+            output.hidden = !input.value.trim();
+        });
         input.addEventListener("input", () => {
             begin();
             show();
         });
-        form.addEventListener("focusin", show);
         form.addEventListener("focusout", (event) => {
             if (!form.contains(event.relatedTarget)) output.hidden = true;
         });

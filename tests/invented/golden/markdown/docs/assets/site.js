@@ -62,6 +62,15 @@
             const link = element("a", { href, class: "mip-inspect", "aria-label": `Inspect ${bytes.slice(0, 17)} …` }, "inspect");
             if (code.parentElement.tagName === "PRE") code.parentElement.after(link);
             else code.after(" ", link);
+            code.closest("td")?.classList.add("mip-packet-cell");
+        }
+    }
+
+    /** What scrolls by itself can be reached by the keyboard. */
+    function reachable() {
+        for (const box of document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")) {
+            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+            else box.removeAttribute("tabindex");
         }
     }
 
@@ -106,6 +115,12 @@
         return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
     }
 
+    /** Without responses of commands that come before them: they are on the same page. */
+    function fieldsOf(found) {
+        const names = found.map(({ name }) => name);
+        return found.filter(({ command }, i) => !command || !names.slice(0, i).includes(command));
+    }
+
     function addressOf(field) {
         const [set, page] = (field.command ?? field.name).split(".");
         const page_ = field.set ? `fields/${set}/${page}.html` : "packets.html";
@@ -127,17 +142,21 @@
         return element("li", {}, element("a", { href }, words), element("div", {}, excerpt(passage)));
     }
 
+    function count(number, word) {
+        return number ? `${number} ${word}${number === 1 ? "" : "s"}` : "";
+    }
+
     function list(title, items) {
         return items.length ? [element("h2", {}, title), element("ul", {}, ...items)] : [];
     }
 
     function search(header) {
         const label = "Search: a descriptor, a name, a symbol, words";
-        const input = element("input", { type: "search", "aria-label": label, placeholder: "0x0D13, PPS, nack …", autocomplete: "off", spellcheck: "false" });
+        const input = element("input", { type: "search", "aria-label": label, placeholder: "0x0D13, PPS …", autocomplete: "off", spellcheck: "false" });
         const status = element("p", { role: "status" });
         const results = element("div", {});
         const output = element("div", { class: "mip-search__output", hidden: "" }, status, results);
-        const form = element("form", { class: "mip-search", role: "search" }, input, output);
+        const form = element("form", { class: "mip-search", role: "search", "aria-label": "This site" }, input, output);
         let index;
 
         const show = () => {
@@ -148,28 +167,30 @@
                 status.textContent = text ? "Loading …" : "";
                 return;
             }
-            const fields = mip.find(index, text, FIELDS).map(({ field }) => field);
+            const fields = fieldsOf(mip.find(index, text, 2 * FIELDS).map(({ field }) => field)).slice(0, FIELDS);
             const parts = passages(text, new Set(fields.map((field) => addressOf(field).page)));
             results.replaceChildren(...list("Fields", fields.map(fieldItem)), ...list("Pages", parts.map(passageItem)));
-            const counts = [`${fields.length || "no"} fields`, ...(globalThis.mipText ? [`${parts.length || "no"} passages`] : [])];
-            status.textContent = fields.length || parts.length ? `The best matches: ${counts.join(", ")}` : "Nothing found.";
+            const counts = [count(fields.length, "field"), count(parts.length, "passage")].filter(Boolean);
+            status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
         };
         const begin = async () => {
             if (index) return;
-            index = mip_index(await protocol());
+            const of = await protocol();
+            index ??= mip.indexOf(of);
             show();
             await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
-            show();
+            if (document.activeElement === input) show();
         };
-        const mip_index = (of) => index ?? mip.indexOf(of);
         const links = () => [...results.querySelectorAll("a")];
 
-        input.addEventListener("focus", begin);
+        input.addEventListener("focus", () => {
+            begin();
+            output.hidden = !input.value.trim();
+        });
         input.addEventListener("input", () => {
             begin();
             show();
         });
-        form.addEventListener("focusin", show);
         form.addEventListener("focusout", (event) => {
             if (!form.contains(event.relatedTarget)) output.hidden = true;
         });
@@ -181,8 +202,7 @@
         form.addEventListener("keydown", (event) => {
             const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
             if (event.key === "Escape") {
-                output.hidden = true;
-                input.focus({ preventScroll: true });
+                input.focus();
                 output.hidden = true;
             } else if (step) {
                 const stops = [input, ...links()];
@@ -207,6 +227,7 @@
         if (header) search(header);
         document.querySelectorAll("[data-tool]").forEach(fill);
         linkTools();
+        new ResizeObserver(reachable).observe(document.querySelector("article") ?? document.body);
     }
 
     if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
