@@ -51,7 +51,7 @@
 
     /** From the page of a field to the tools: the builder begins with the field, the inspector with the bytes. */
     function linkTools() {
-        const field = document.querySelector("h1[id*='.']")?.id;
+        const field = document.querySelector("article :is(h1, a)[id*='.']")?.id;
         for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
             if (field) link.hash = field;
         }
