@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -26,6 +27,10 @@ from support import BUILD, ROOT, SPECS, heavy, locked, model, need
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
 Test = TypeVar("Test", bound=Callable[..., None])
 each_spec = pytest.mark.parametrize("spec", sorted(SPECS))
+
+
+#: Where the sites are built; it goes when the tests end.
+FOLDER = tempfile.TemporaryDirectory(prefix="mip-site-")
 
 
 def with_tool(tool: str) -> Callable[[Test], Test]:
@@ -51,14 +56,12 @@ PAGES = (
 @cache
 def built(spec: str) -> Path:
     """The site of a copy of the folder, which has nothing beside it."""
-    place = BUILD / f"site-{spec}"
-    source, site = place / "markdown", place / "site"
-    with locked(place):
-        render.write(manual_of(spec).files, source)
-        done = subprocess.run(
-            [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
-            cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
-        )  # fmt: skip
+    source, site = Path(FOLDER.name) / spec / "markdown", Path(FOLDER.name) / spec / "site"
+    render.write(manual_of(spec).files, source)
+    done = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
+        cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
+    )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
     return site
 
@@ -193,7 +196,7 @@ def go(page: browser.Page, address: str, spec: str = "real") -> None:
 
 def wait(page: browser.Page, condition: str) -> None:
     page.run(
-        "new Promise((done, failed) => { const end = Date.now() + 20000; const look = () => {"
+        "new Promise((done, failed) => { const end = Date.now() + 60000; const look = () => {"
         f" if ({condition}) done(); else if (Date.now() > end) failed(Error('in vain')); else setTimeout(look, 20); }};"
         " look(); })"
     )
