@@ -35,9 +35,12 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
         files = {} if problems else render.render(source, model)
         return Output(source.name, source.load().TITLE, files, problems)
 
-    made = parallel.each(one, sources)
-    _raise([found for output in made for found in output.problems])
-    return made
+    for source in sources:
+        source.load()  # once, and not in each process
+    first = sorted(sources, key=lambda source: not getattr(source.load(), "LONG", False))
+    made = {output.name: output for output in parallel.each(one, first)}
+    _raise([found for output in made.values() for found in output.problems])
+    return [made[source.name] for source in sources]
 
 
 def _unfit(model: Model, source: Source) -> list[Problem]:

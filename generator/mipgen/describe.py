@@ -90,7 +90,9 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("commands", joined([(_field(c),) for c in model.commands(f)]), "Answers {}."))
     others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
     if others:
-        found.append(_fact("layout", joined([(_field(g),) for g in others]), "Told from {} by the size of its data."))
+        found.append(
+            _fact("layout", joined([(_field(g),) for g in others]), "Distinguished from {} by the size of its data.")
+        )
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         found.append(_fact("when", conditions(f.when, command), "Sent if {}."))
@@ -98,11 +100,11 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("silent", conditions(f.silent_when, f), "Not acknowledged if {}."))
     found += [_fact("silent", _setting(c, model), "Not acknowledged if {}.") for c in f.silenced_by]
     if f.sent_by == "device":
-        found.append(_fact("sent_by", (), "The device sends it, and the host answers."))
+        found.append(_fact("sent_by", (), "Sent by the device; the host answers."))
     if f.timeout:
         found.append(_fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer."))
     if f.max_rate:
-        found.append(_fact("max_rate", (f"{number(f.max_rate)} Hz",), "Sent at {} at most."))
+        found.append(_fact("max_rate", (f"{number(f.max_rate)} Hz",), "Maximum rate: {}."))
     devices = model.devices_of(f)
     if devices:
         found.append(_fact("devices", joined([(_device(d),) for d in devices]), "Supported by {}."))
@@ -110,7 +112,7 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     if perhaps:
         found.append(_fact("perhaps", joined([(_device(d),) for d in perhaps]), "May be supported by {}."))
     if model.devices and f.role != m.RESPONSE and not devices and not perhaps:
-        found.append(_fact("devices", (), "No device profile lists it."))
+        found.append(_fact("devices", (), "Not listed in any device profile."))
     found += [_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated]
     found += [_support(d, s) for d, s in model.supports(f) if s.differs]
     found += _evidence(f, model)
@@ -122,7 +124,7 @@ def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
     names = {s.manual for s in f.sources}
     cited = [x for x in model.protocol.manuals if x.id in names]
     if cited and all(x.kind == "sdk" for x in cited):
-        yield _fact("evidence", joined([(Ref(x, x.title),) for x in cited]), "Known from the {} only.")
+        yield _fact("evidence", joined([(Ref(x, x.title),) for x in cited]), "Known only from the {}.")
 
 
 def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -254,8 +256,8 @@ def _valid(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str |
     if len(refs) == 1:
         return _fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
     names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(paths))))
-    each = [(f"{name} by ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
-    return _fact("valid", _interleaved(each, ", "), "Each element is valid by its bit: {}.")
+    each = [(f"{name}: ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
+    return _fact("valid", _interleaved(each, ", "), "Each element has its own valid flag. {}.")
 
 
 def _bit(path: str, record: Record, device: str | None) -> Ref:
@@ -308,7 +310,7 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
         p = next(q for q in within.parameters if q.name == v.member)
     parts: list[Text] = []
     if v.unknown:
-        parts.append(("values that are not known",))
+        parts.append(("the values are not known",))
     if v.type is not None:
         parts.append(("values of ", Ref(v.type, v.type.name)))
     if v.only:
@@ -334,11 +336,11 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
 def _validity(v: m.Variant, p: m.Parameter, record: Record) -> Text:
     """What says that the value is valid there."""
     if not v.valid:
-        return ("nothing says whether it is valid",)
+        return ("no flag says whether it is valid",)
     fact = _valid(v.valid, p, record, v.key if v.by_device else None)
     many = len(set(v.valid)) > 1
     state = "" if many else " is set" if "." in v.valid[0] else " is true"
-    return ("valid by element: " if many else "valid if ", *fact.value, *([state] if state else []))
+    return ("valid flags " if many else "valid if ", *fact.value, *([state] if state else []))
 
 
 def _condition(group: Sequence[m.Variant], record: Record, model: m.Model) -> Text:
@@ -398,10 +400,10 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
         found.append(_fact("model_number", (str(d.model_number),), "Model number {}."))
     other = model.device(d.like) if d.like else None
     if other is not None:
-        found.append(_fact("like", (_device(other),), "Like the {}, but for what is said here."))
+        found.append(_fact("like", (_device(other),), "Like the {}, except as stated here."))
     manual = next((x for x in model.protocol.manuals if x.id == d.manual), None)
     known = (f"{manual.title}, {manual.document}",) if manual else ()
-    found.append(_fact("manual", known, "Manual: {}." if manual else "No manual of it is known."))
+    found.append(_fact("manual", known, "Manual: {}." if manual else "No manual is known."))
     found += [
         _fact("incomplete", prose(text.rstrip("."), model), "This profile is incomplete: {}.") for text in d.incomplete
     ]
@@ -411,12 +413,12 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
 def lengths(manual: m.Manual, model: m.Model) -> Text:
     """How a manual counts the lengths of fields that it prints, and for how many that makes a difference."""
     if manual.lengths == "none":
-        return ("none",)
+        return ("not given",)
     if manual.lengths == "wire":
-        return ("every byte",)
+        return ("count every byte",)
     printed = [f for f in model.fields for s in f.sources if s.manual == manual.id and s.length is not None]
     short = [f for f in printed if computed_length(f, "scalars") != computed_length(f, "wire") or _has_union(f)]
-    return (f"numbers and arrays of them only; {len(short)} leave out vectors, structures or unions",)
+    return (f"count only numbers and arrays of numbers; {len(short)} leave out vectors, structures or unions",)
 
 
 def _has_union(f: m.Field) -> bool:

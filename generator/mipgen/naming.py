@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 
 from .model import Position
 from .problems import Problems
@@ -17,6 +18,7 @@ def upper(words: str) -> str:
     return words.upper()
 
 
+@cache
 def pascal(words: str) -> str:
     """
     >>> pascal("gps_time_update"), pascal("3dm"), pascal("matrix3f")

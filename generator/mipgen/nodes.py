@@ -126,14 +126,14 @@ class _Reader:
     """Builds nodes from the events of the YAML parser, which give the places of anchors and aliases."""
 
     def __init__(self, text: str, file: str, problems: Problems) -> None:
-        self.events = yaml.parse(text, Loader=syntax.LOADER)
+        self.get = syntax.LOADER(text).get_event
         self.file = file
         self.problems = problems
         self.anchors: dict[str, Node] = {}
         self.event: Any = None
 
     def next(self) -> Any:
-        self.event = next(self.events)
+        self.event = self.get()
         return self.event
 
     def document(self) -> Node | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import sys
@@ -16,22 +17,27 @@ from .errors import Failure
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
+#: What became of an item: "done" and its result, "failure" and the arguments of one, "crash" and what was printed.
+Answer = tuple[str, Any]
+
+_NUMBER = 2  # bytes of the number of an item in the queue
+
 
 def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
-    """The results in the order of the items. Raises the exception of the first item that fails."""
-    one = len(items) < 2 or _processors() < 2
+    """The results in the order of the items, which are begun in this order: what takes longest should be first.
+    Raises the exception of the first item that fails."""
+    count = min(len(items), _processors())
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"
     archive = not isinstance(resources.root(), Path)  # forked processes share the offset of an open archive
-    if one or unsafe or archive:
+    if count < 2 or unsafe or archive:
         return [function(item) for item in items]
-    children = [_start(function, item) for item in items]
-    answers = [_finish(*child) for child in children]
-    for kind, value in answers:
+    answers = _forked(function, items, count)
+    for kind, value in (answers[i] for i in range(len(items))):
         if kind == "failure":
             raise Failure(*value)
         if kind == "crash":
             raise RuntimeError(f"in another process:\n{value}")
-    return [value for _, value in answers]
+    return [answers[i][1] for i in range(len(items))]
 
 
 def _processors() -> int:
@@ -39,7 +45,27 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _start(function: Callable[[Item], Result], item: Item) -> tuple[int, int]:
+def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: int) -> dict[int, Answer]:
+    """What became of each item. A process takes the next item when it is done with one."""
+    queue, end = os.pipe()
+    os.write(end, b"".join(i.to_bytes(_NUMBER, "big") for i in range(len(items))))
+    os.close(end)
+    gc.freeze()  # processes share what is there; marking it would copy it
+    try:
+        children = [_start(function, items, queue) for _ in range(count)]
+    finally:
+        gc.unfreeze()
+        os.close(queue)
+    parts = [_finish(*child) for child in children]
+    found: dict[int, Answer] = {}
+    for status, data in parts:
+        if status != 0 or not data:
+            raise RuntimeError(f"in another process:\nit ended with status {status}")
+        found |= pickle.loads(data)
+    return found
+
+
+def _start(function: Callable[[Item], Result], items: Sequence[Item], queue: int) -> tuple[int, int]:
     here, there = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()
@@ -50,24 +76,28 @@ def _start(function: Callable[[Item], Result], item: Item) -> tuple[int, int]:
     status = 1
     try:
         os.close(here)
-        try:
-            answer: tuple[str, Any] = ("done", function(item))
-        except Failure as failure:
-            answer = ("failure", failure.args)
-        except BaseException:
-            answer = ("crash", traceback.format_exc())
+        gc.disable()
+        answers = {}
+        while number := os.read(queue, _NUMBER):
+            i = int.from_bytes(number, "big")
+            answers[i] = _answer(function, items[i])
         with os.fdopen(there, "wb") as pipe:
-            pickle.dump(answer, pipe)
+            pickle.dump(answers, pipe)
         status = 0
     finally:
         os._exit(status)
 
 
-def _finish(child: int, pipe: int) -> tuple[str, Any]:
+def _answer(function: Callable[[Item], Result], item: Item) -> Answer:
+    try:
+        return "done", function(item)
+    except Failure as failure:
+        return "failure", failure.args
+    except BaseException:
+        return "crash", traceback.format_exc()
+
+
+def _finish(child: int, pipe: int) -> tuple[int, bytes]:
     with os.fdopen(pipe, "rb") as answer:
         data = answer.read()
-    _, status = os.waitpid(child, 0)
-    if status != 0 or not data:
-        return "crash", f"it ended with status {status}"
-    found: tuple[str, Any] = pickle.loads(data)
-    return found
+    return os.waitpid(child, 0)[1], data

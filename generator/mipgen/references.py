@@ -45,12 +45,14 @@ class _Names:
                 self.inside(item)
         elif isinstance(node.value, dict):
             for key, entry in node.items():
-                for text in _texts(entry):
-                    if key in PROSE:
+                if key in PROSE:
+                    for text in _texts(entry):
                         self.prose(text)
-                    elif key in QUOTATIONS:
+                elif key in QUOTATIONS:
+                    for text in _texts(entry):
                         self.quotation(text, node)
-                self.inside(entry)
+                if not isinstance(entry.value, str):
+                    self.inside(entry)
 
     # ----------------------------------------------------------------------- texts
 

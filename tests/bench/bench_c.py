@@ -202,7 +202,7 @@ def report(columns: int = 6) -> str:
     heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
     machine = platform.machine().replace("_", "-")
     out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte;\n"
-    out += "the ratio says how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
+    out += "the ratio is how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
     out += table(heads[:columns], [row[:columns] for row in speed()])
     if shutil.which("valgrind") is None:
         out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"

@@ -71,7 +71,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.status_old",
             {
                 "commands": "Answers <tools.status>.",
-                "layout": "Told from <tools.status_long> and <tools.status_full> by the size of its data.",
+                "layout": "Distinguished from <tools.status_long> and <tools.status_full> by the size of its data.",
                 "when": "Sent if <selector> is 2.",
                 "devices": BOTH,
             },
@@ -86,14 +86,14 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "more.accel",
             {
                 "definition": "Has the layout of <measurements.accel>.",
-                "max_rate": "Sent at 100 Hz at most.",
+                "max_rate": "Maximum rate: 100 Hz.",
                 "devices": A,
             },
         ),
         (
             "measurements.gust",
             {
-                "devices": "No device profile lists it.",
+                "devices": "Not listed in any device profile.",
                 "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
                 "<shape>.",
             },
@@ -127,7 +127,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "also": "Also called `keep_alive_response` and `welcome`.",
                 "commands": "Answers <tools.hello>.",
                 "perhaps": "May be supported by <Model C>.",
-                "evidence": "Known from the <Kit of names> only.",
+                "evidence": "Known only from the <Kit of names>.",
                 "uncertain": "Uncertain: When it comes.",
             },
         ),
@@ -156,15 +156,15 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "elements": "Elements: x, y, z.",
                 "unit": "Unit: g.",
                 "frame": "Frame: <sensor>.",
-                "valid": "Each element is valid by its bit: x by <valid_flags.ready>, y by <valid_flags.hot>, "
-                "z by <valid_flags.ready>.",
-                "variant": "On the <Model C>: nothing says whether it is valid.",
+                "valid": "Each element has its own valid flag. x: <valid_flags.ready>, y: <valid_flags.hot>, "
+                "z: <valid_flags.ready>.",
+                "variant": "On the <Model C>: no flag says whether it is valid.",
             },
         ),
         ("measurements.accel:valid_flags", {"variant": "On the <Model C>: only <ready> and <level>."}),
         ("tools.status:selector", {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2."}),
         ("tools.status_short:flags", {"variant": "On the <Model B>: values of <model_b_faults>."}),
-        ("tools.status_long:flags", {"variant": "On the <Model C>: values that are not known."}),
+        ("tools.status_long:flags", {"variant": "On the <Model C>: the values are not known."}),
     ],
 )
 def test_facts(path: str, facts: dict[str, str]) -> None:
@@ -185,8 +185,8 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
         "On the <Model B>: values of <model_b_faults>.",
     ]
     assert variants("measurements.accel:scaled_accel")[0] == (
-        "On the <Model B>: unit m, m, s; frame <ned>; valid by element: x by <valid_flags.hot>, "
-        "y by <valid_flags.ready>, z by <valid_flags.hot>. Turned by the device."
+        "On the <Model B>: unit m, m, s; frame <ned>; valid flags x: <valid_flags.hot>, "
+        "y: <valid_flags.ready>, z: <valid_flags.hot>. Turned by the device."
     )
     assert variants("measurements.radio:noise") == ["On the <Model C>: valid if <connected> is true; deprecated."]
 
@@ -201,8 +201,8 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
                 "Also called Model See and c.",
                 "Generation 3.",
                 "Model number 4713.",
-                "Like the <Model A>, but for what is said here.",
-                "No manual of it is known.",
+                "Like the <Model A>, except as stated here.",
+                "No manual is known.",
                 "Uncertain: Whether it has a model number of its own.",
             ],
         ),
@@ -212,7 +212,7 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
                 "Also called First.",
                 "Generation 1.",
                 "Model number 4001.",
-                "No manual of it is known.",
+                "No manual is known.",
                 "This profile is incomplete: No manual is known; see <tools.ping>.",
             ],
         ),
@@ -279,9 +279,9 @@ def test_a_quotation_refers_to_descriptors() -> None:
 @pytest.mark.parametrize(
     ("manual", "counts"),
     [
-        ("guide", "every byte"),
-        ("leaflet", "numbers and arrays of them only; 3 leave out vectors, structures or unions"),
-        ("sheet", "none"),
+        ("guide", "count every byte"),
+        ("leaflet", "count only numbers and arrays of numbers; 3 leave out vectors, structures or unions"),
+        ("sheet", "not given"),
     ],
 )
 def test_how_a_manual_counts_lengths(manual: str, counts: str) -> None:

@@ -1,8 +1,8 @@
-"""The clocks of timestamps, and by how much they are ahead of UTC."""
+"""The clocks of timestamps, and how far they are ahead of UTC."""
 
 from __future__ import annotations
 
-#: Clock -> the day on which it began; None if it starts with the device. Those to prefer come first.
+#: Clock -> the day of its epoch; None if it has none. Preferred clocks come first.
 CLOCKS: dict[str, str | None] = {"gps": "1980-01-06", "external": None, "reference": None}
 
 #: Set and descriptor of the fields that hold the time of their packet -> its clock.
@@ -19,7 +19,7 @@ TIMESTAMPS: dict[tuple[int, int], str] = {
     (0xFF, 0xD5): "reference",
 }
 
-#: The days from whose beginning in UTC on the clocks with a day are so many seconds ahead of UTC.
+#: Day -> by how many seconds the clocks with an epoch are ahead of UTC, from 00:00 UTC of that day on.
 LEAP_SECONDS: tuple[tuple[str, int], ...] = (
     ("1981-07-01", 1),
     ("1982-07-01", 2),

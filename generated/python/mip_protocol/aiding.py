@@ -40,7 +40,7 @@ class AidingEchoMode(codec.OpenEnum):
     STANDARD = 1
     """Acknowledge as for any command."""
     RESPONSE = 2
-    """The data come back in a response."""
+    """The data is returned in a response."""
 
 
 class Timebase(codec.OpenEnum):
@@ -230,7 +230,7 @@ class EchoControlResponse(Response):
     _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
-    """How they are answered."""
+    """How the measurements are answered."""
 
     def __init__(self, mode: AidingEchoMode) -> None:
         self.mode = mode
@@ -273,7 +273,7 @@ class FrameConfig(Command[R]):
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. The rotation does not matter for GNSS positions and
-    velocities; set it to zero. A read names the format that the answer shall have.
+    velocities; set it to zero. A read selects the format of the answer.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -357,7 +357,7 @@ class FrameConfig(Command[R]):
     def read(
         cls: ClassOf[FrameConfig[Any]], frame_id: int, format: AidingFrameFormat
     ) -> FrameConfig[FrameConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
@@ -493,7 +493,7 @@ class EchoControl(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     mode: AidingEchoMode | None
-    """How they are answered. Required for `write`."""
+    """How the measurements are answered. Required for `write`."""
 
     def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
         self.function = function
@@ -506,7 +506,7 @@ class EchoControl(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[EchoControl[Any]]) -> EchoControl[EchoControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -595,14 +595,14 @@ class EcefPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
-    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -704,8 +704,9 @@ class LlhPosition(Command[None]):
     """
     uncertainty: types.Vector3f
     """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-    greater than 0. Each element is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`,
-    y by `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
+    greater than 0. Each element has its own valid flag. x: `LlhAxisFlags.LATITUDE` of
+    `valid_flags`, y: `LlhAxisFlags.LONGITUDE` of `valid_flags`, z: `LlhAxisFlags.HEIGHT` of
+    `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -837,9 +838,9 @@ class EcefVelocity(Command[None]):
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
-    in a response of unknown layout.
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
+    such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
+    the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -860,14 +861,14 @@ class EcefVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
-    0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -921,9 +922,9 @@ class NedVelocity(Command[None]):
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
-    in a response of unknown layout.
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
+    such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
+    the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -944,14 +945,14 @@ class NedVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1005,11 +1006,11 @@ class BodyFrameVelocity(Command[None]):
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
-    0 with y valid only, sent at least once in a second. With z valid too, and 0, the vehicle moves
-    in a plane only (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS speed
-    is below a threshold of the user. In mode `response` of `EchoControl`, the device sends the data
-    back in a response of unknown layout.
+    The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
+    of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
+    constrained to a plane (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS
+    speed is below a threshold chosen by the user. In mode `response` of `EchoControl`, the device
+    sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -1031,14 +1032,14 @@ class BodyFrameVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
+    x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
-    greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by
-    `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    greater than 0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y:
+    `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1185,14 +1186,14 @@ class MagneticField(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
-    bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
+    flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
+    `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
-    Range: greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y
-    by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Range: greater than 0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`,
+    y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1305,7 +1306,7 @@ class Pressure(Command[None]):
 FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (FrameConfig,),
     0x1F: (EchoControl,),

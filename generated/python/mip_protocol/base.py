@@ -43,7 +43,7 @@ class BaseDeviceInfo(Structure):
     )
 
     firmware_version: int
-    """Firmware version as one decimal number: 1202 stands for 1.2.02."""
+    """Firmware version as one decimal number: 1202 means 1.2.02."""
     model_name: str
     """Name of the model."""
     model_number: str
@@ -223,8 +223,8 @@ class BuiltInTestResponse(Response):
     """Failure flags, defined by each device. Zero means that every test passed.
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are
-      not known.
+    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not
+      known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
@@ -455,7 +455,7 @@ class CommSpeedResponse(Response):
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
-    Asks whether a device is there and answers commands.
+    Checks whether a device is present and answers commands.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
@@ -488,7 +488,7 @@ class Ping(Command[None]):
 class SetIdle(Command[None]):
     """Set to idle (0x01,0x02).
 
-    Stops all data streams, and wakes a sleeping device, so that it can be set up.
+    Stops all data streams, and wakes a sleeping device, so that it can be configured.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
     supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
@@ -497,8 +497,8 @@ class SetIdle(Command[None]):
     3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
     3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
 
-    The resume command restores the previous mode. While idle the device sends no NMEA sentences
-    either.
+    The resume command restores the previous mode. While idle, the device does not send NMEA
+    sentences either.
 
     - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -564,7 +564,8 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR
     and 3DM-RTK.
 
-    If the list contains the descriptor of `GetExtendedDescriptors`, that command gives more.
+    If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further
+    descriptors.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -593,12 +594,12 @@ class BuiltInTest(Command[BuiltInTestResponse]):
 
     Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the 3DM-CV7
-    says several seconds; 10 s leaves room for that.
+    3DM-GX5-35 and 3DM-GX5-45. Uncertain: The maximum duration of the test. The manual of the
+    3DM-CV7 says several seconds; 10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
-    continuous built-in test, where there is one, tells more about a failure.
+    continuous built-in test, if the device has it, gives more detail about a failure.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -693,9 +694,9 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
     3DM-CV7-GNSS/INS.
 
-    It is less thorough than the built-in test command. Each flag stays set until it is reported by
-    this command, apart from the copy of the streamed field. The self-test flags change only when
-    the built-in test command runs.
+    It is less thorough than the built-in test command. Each flag stays set until this command
+    reports it; the streamed field has its own copy of the flags. The self-test flags change only
+    when the built-in test command runs.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -730,9 +731,9 @@ class CommSpeed(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The change waits until pending data is sent and received, at most 250 ms. Send it alone in a
-    packet while the device is idle, and wait 250 ms before going on. Commands and data during the
-    change may be lost or come at either rate.
+    The change takes effect once pending data is sent and received, after at most 250 ms. Send it
+    alone in a packet while the device is idle, and wait 250 ms before going on. Commands and data
+    during the change may be lost, or sent at either rate.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -768,7 +769,7 @@ class CommSpeed(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[CommSpeedResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
@@ -848,9 +849,9 @@ class GpsTimeUpdate(Command[R]):
 
     Send it once for the time of week and once for the week number after the PPS is locked. The PPS
     supplies the fraction of the second; send the whole second that began at its last edge. Send it
-    within 250 ms after the rising edge of the PPS. The 3DM-GX5-15 wants it once per second; the
-    3DM-CV7-GNSS/INS at least once. Send it again after a glitch of the PPS. An internal GNSS
-    receiver as PPS source mostly makes it needless.
+    within 250 ms after the rising edge of the PPS. The 3DM-GX5-15 needs it once per second, the
+    3DM-CV7-GNSS/INS at least once. Send it again after a glitch of the PPS. It is usually not
+    needed if an internal GNSS receiver is the PPS source.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -869,9 +870,9 @@ class GpsTimeUpdate(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     field_id: GpsTimeField | None
-    """What the value is."""
+    """Meaning of the value."""
     value: int | None
-    """What `field_id` says. Required for `write` and `apply`.
+    """Time, as `field_id` says. Required for `write` and `apply`.
 
     - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
     - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.
@@ -898,7 +899,7 @@ class GpsTimeUpdate(Command[R]):
     def read(
         cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField
     ) -> GpsTimeUpdate[GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, field_id=field_id)
 
     @classmethod
@@ -962,7 +963,7 @@ class GpsTimeUpdate(Command[R]):
 class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
 
-    Acknowledges the command, then resets the device at once.
+    Acknowledges the command, then resets the device immediately.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
@@ -995,7 +996,7 @@ GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommSpeedResponse.COMMANDS = (CommSpeed,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (SetIdle,),

@@ -1,4 +1,4 @@
-"""What each device supports, and how it reads values that devices read differently."""
+"""What each device supports, and what values mean there that differ between devices."""
 
 from __future__ import annotations
 
@@ -20,22 +20,25 @@ CL5_10 = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CL5-IMU",),
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 Uncertain: MSCL does not list it among the devices with streams or a device status.
 
 - mip-sdk-4: Device models
@@ -55,7 +58,7 @@ CL5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -65,27 +68,30 @@ CL5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CL5-AR",),
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -104,7 +110,7 @@ CL5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -114,27 +120,30 @@ CL5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CL5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -153,7 +162,7 @@ CV5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -163,25 +172,28 @@ CV5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CV5-IMU",),
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -200,7 +212,7 @@ CV5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -210,27 +222,30 @@ CV5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CV5-AR",),
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -249,7 +264,7 @@ CV5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -259,27 +274,30 @@ CV5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CV5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -312,7 +330,7 @@ CV7_AHRS = Device(
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
     limits={
-        "event_triggers": Limit(12, None, "Triggers in all."),
+        "event_triggers": Limit(12, None, "Total number of triggers."),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
         "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
         "event_combination_triggers": Limit(8, None, "Combination triggers."),
@@ -321,7 +339,7 @@ CV7_AHRS = Device(
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -335,35 +353,38 @@ CV7_AHRS = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+            "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or timestamp events.",
             (),
         ),
     },
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
-        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x28): "MSCL lists the choices for this device.",  # 3dm.pps_source_control
+        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
         (
             0x0C,
             0x50,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
         (
             0x0C,
             0x54,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
-        (0x0D, 0x50): "MSCL lists what can be chosen on it.",  # filter.aiding_measurement_enable
+        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
+        (0x0D, 0x50): "MSCL lists the choices for this device.",  # filter.aiding_measurement_enable
     },
     incomplete=(
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The limits are those of firmware 1.0.04 and later.",
     ),
     also=(),
@@ -371,10 +392,10 @@ CV7_AHRS = Device(
     manual="3dm-cv7",
 )
 """Attitude and heading reference system. Generation 7. Model number 6286. Manual: MicroStrain
-3DM-CV7 Documentation (AHRS and AR), online, known from single pages. This profile is incomplete:
-Only single pages of the manual are known, so it has more commands and data. This profile is
-incomplete: The limits are those of firmware 1.0.04 and later. Uncertain: MSCL offers the values
-`none` and `manual` of `filter.MagneticDeclinationSource` only; the manual has `wmm` too.
+3DM-CV7 Documentation (AHRS and AR), online, known from some pages. This profile is incomplete: Only
+some pages of the manual are known, so it has more commands and data. This profile is incomplete:
+The limits are those of firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and
+`manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -407,7 +428,7 @@ CV7_AR = Device(
     base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
     limits={
-        "event_triggers": Limit(12, None, "Triggers in all."),
+        "event_triggers": Limit(12, None, "Total number of triggers."),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
         "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
         "event_combination_triggers": Limit(8, None, "Combination triggers."),
@@ -416,7 +437,7 @@ CV7_AR = Device(
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -430,35 +451,38 @@ CV7_AR = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+            "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or timestamp events.",
             (),
         ),
     },
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
-        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x28): "MSCL lists the choices for this device.",  # 3dm.pps_source_control
+        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
         (
             0x0C,
             0x50,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
         (
             0x0C,
             0x54,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
-        (0x0D, 0x50): "MSCL lists what can be chosen on it.",  # filter.aiding_measurement_enable
+        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
+        (0x0D, 0x50): "MSCL lists the choices for this device.",  # filter.aiding_measurement_enable
     },
     incomplete=(
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The limits are those of firmware 1.0.04 and later.",
     ),
     also=(),
@@ -466,10 +490,10 @@ CV7_AR = Device(
     manual="3dm-cv7",
 )
 """Attitude reference. Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation
-(AHRS and AR), online, known from single pages. This profile is incomplete: Only single pages of the
+(AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of the
 manual are known, so it has more commands and data. This profile is incomplete: The limits are those
-of firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
-`filter.MagneticDeclinationSource` only; the manual has `wmm` too.
+of firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and `manual` of
+`filter.MagneticDeclinationSource`; the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -698,11 +722,11 @@ CV7_GNSS_INS = Device(
         Port("USB 2", 34, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
     ),
     limits={
-        "event_triggers": Limit(12, None, "Triggers in all."),
+        "event_triggers": Limit(12, None, "Total number of triggers."),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
         "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
         "event_combination_triggers": Limit(8, None, "Combination triggers."),
-        "event_actions": Limit(12, None, "Actions in all."),
+        "event_actions": Limit(12, None, "Total number of actions."),
         "event_gpio_actions": Limit(6, None, "GPIO actions."),
         "event_message_actions": Limit(8, None, "Message actions."),
         "event_message_fields": Limit(12, None, "Fields in the packet of one message action."),
@@ -725,17 +749,19 @@ CV7_GNSS_INS = Device(
             "ms",
             "Time after the rising edge of the PPS within which the GPS time update must arrive.",
         ),
-        "save_time": Limit(1, "s", "Time that a save of all settings may take."),
+        "save_time": Limit(1, "s", "Time that saving all settings may take."),
         "motion_latency": Limit(
             1.9,
             "ms",
-            "Typical time from a motion to the message that reports it, without its transmission.",
+            "Typical time from a motion to the message that reports it, not including transmission.",
         ),
         "timestamp_repeatability": Limit(
-            1, "us", "Bound of the typical variation of sensor timestamps by internal processing."
+            1,
+            "us",
+            "Upper bound of the typical variation of sensor timestamps due to internal processing.",
         ),
         "gpio_timestamp_accuracy": Limit(
-            1, "us", "Bound of the typical error of GPIO timestamps, which is far smaller."
+            1, "us", "Upper bound of the error of GPIO timestamps; the error is far smaller."
         ),
         "antenna_offset_error": Limit(
             0.5, "m", "Highest value of the maximum offset of the antenna lever arm calibration."
@@ -744,7 +770,7 @@ CV7_GNSS_INS = Device(
     notes={
         "ports": Note(
             "Ports",
-            "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always enabled on it. The others must be enabled first. All ports stream the same data; replies to polls go to the port that asked.",
+            "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always enabled on it. The others must be enabled first. All ports stream the same data; replies to polls go to the port that sent the poll.",
             (
                 ("Port", "Id", "Pins"),
                 ("Main", "0x01", "alias of USB 1 or UART 1"),
@@ -819,7 +845,7 @@ CV7_GNSS_INS = Device(
         ),
         "nmea_input": Note(
             "NMEA input",
-            "Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is set to receive, by that one only. An epoch is processed when a sentence with another time arrives.",
+            "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is configured to receive, on that one only. An epoch is processed when a sentence with another time arrives.",
             (),
         ),
         "rtcm_input": Note(
@@ -839,7 +865,7 @@ CV7_GNSS_INS = Device(
         ),
         "gnss_signals": Note(
             "GNSS signals",
-            "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be enabled together by `gnss.signal_config`.",
+            "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused.",
             (
                 ("Constellation", "Choices"),
                 ("GPS", "none, L1, L1 + L5"),
@@ -850,7 +876,7 @@ CV7_GNSS_INS = Device(
         ),
         "sensor_ranges": Note(
             "Sensor ranges",
-            "Settings of `3dm.sensor_range`. The manual prints them for sister models and cuts the gyroscope column off; ask the device by `3dm.get_calibrated_sensor_ranges`.",
+            "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
             (
                 ("Sensor", "Setting", "Range"),
                 ("Accelerometer", "2", "4 g"),
@@ -861,7 +887,7 @@ CV7_GNSS_INS = Device(
         ),
         "pps": Note(
             "Pulse per second",
-            "Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a duty cycle of 50 % and its rising edge begins the second.",
+            "Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a duty cycle of 50 %; each second begins at its rising edge.",
             (),
         ),
     },
@@ -878,7 +904,7 @@ CV7_GNSS_INS = Device(
         (
             0x7F,
             0x02,
-        ): "The page on ports of the manual names it, but the list of commands does not."  # system.interface_control
+        ): "The page on ports in the manual names it, but the list of commands does not."  # system.interface_control
     },
     incomplete=(),
     also=(),
@@ -910,14 +936,17 @@ CV7_INS = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
         (
             0x94,
             0x03,
@@ -964,7 +993,7 @@ CV7_INS = Device(
         ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.satellite_status
     },
     incomplete=(
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ),
     also=(),
@@ -972,11 +1001,11 @@ CV7_INS = Device(
     manual="3dm-cv7-ins",
 )
 """Inertial navigation system without a GNSS receiver of its own. Generation 7. Model number 6291.
-Manual: MicroStrain 3DM-CV7-INS Documentation, online, known from single pages. This profile is
-incomplete: Only single pages of the manual are known, so it has more commands and data. This
-profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: The
-set 0x95 is named by a test site of the vendor only. Uncertain: The base rate of the set 0x94 is
-inferred from the 3DM-CV7-GNSS/INS.
+Manual: MicroStrain 3DM-CV7-INS Documentation, online, known from some pages. This profile is
+incomplete: Only some pages of the manual are known, so it has more commands and data. This profile
+is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test
+site of the vendor names the set 0x95. Uncertain: The base rate of the set 0x94 is inferred from the
+3DM-CV7-GNSS/INS.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -995,7 +1024,7 @@ CX5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -1005,25 +1034,28 @@ CX5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CX5-IMU",),
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1042,7 +1074,7 @@ CX5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -1052,26 +1084,29 @@ CX5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CX5-AR",),
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK has its name and number only.
-Uncertain: MSCL does not list it among those for which it limits the choices of the filter.
+"""Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number. Uncertain:
+MSCL does not list it among the devices for which it limits the choices of the filter.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1090,7 +1125,7 @@ CX5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -1100,25 +1135,28 @@ CX5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CX5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only. Uncertain: MSCL does not list it among those for which it limits the choices of the
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number. Uncertain: MSCL does not list it among the devices for which it limits the choices of the
 filter.
 
 - mip-sdk-4: Device models
@@ -1138,7 +1176,7 @@ CX5_35 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -1148,25 +1186,28 @@ CX5_35 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CX5-GNSS/AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
-number 6272. No manual of it is known. This profile is incomplete: No manual is known. The SDK has
-its name and number only.
+number 6272. No manual is known. This profile is incomplete: No manual is known. The SDK gives only
+its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1185,7 +1226,7 @@ CX5_45 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -1195,25 +1236,28 @@ CX5_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-CX5-GNSS/INS",),
     generation=5,
     manual=None,
 )
 """Inertial navigation system with GNSS. Also called 3DM-CX5-GNSS/INS. Generation 5. Model number
-6271. No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name
-and number only.
+6271. No manual is known. This profile is incomplete: No manual is known. The SDK gives only its
+name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1222,7 +1266,7 @@ and number only.
 DH3 = Device(
     id="3dm-dh3",
     title="3DM-DH3",
-    description="Device of generation 3, known by its name and its number.",
+    description="Device of generation 3, known only by its name and its number.",
     model_number=6219,
     fields=frozenset({}),
     functions={},
@@ -1236,24 +1280,27 @@ DH3 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known by its name and its number. Generation 3. Model number 6219. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6219.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1306,7 +1353,7 @@ GQ4_45 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
             (),
         )
     },
@@ -1316,31 +1363,31 @@ GQ4_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
     incomplete=(
-        "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ),
     also=(),
     generation=4,
     manual="3dm-gq4-45",
 )
 """Tactical grade inertial navigation system with GNSS. Generation 4. Model number 6250. Manual:
-LORD 3DM-GQ4-45 Data Communications Protocol, of September 26, 2015, known from its contents. This
-profile is incomplete: The contents of the manual are known up to the commands of the set `3dm`. The
-sets `filter` and `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and
-0x82, of which no field is known. Uncertain: It may take raw RTCM by a command of which the layout
-is not known.
+LORD 3DM-GQ4-45 Data Communications Protocol, of September 26, 2015, known from its table of
+contents. This profile is incomplete: The table of contents of the manual is known up to the
+commands of the set `3dm`. The sets `filter` and `system` follow. This profile is incomplete: It has
+the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: It may accept raw RTCM
+by a command whose layout is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1378,7 +1425,7 @@ GQ7 = Device(
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.10 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.10 has `3dm.imu_low_pass_filter` instead, for sensor data only.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -1392,12 +1439,12 @@ GQ7 = Device(
         ),
         "firmware": Note(
             "Firmware",
-            "The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.",
+            "The system data set 0xA0 and NMEA on the main port require firmware later than 1.0.10.",
             (),
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "Features of each pin, by MSCL.",
+            "Features of each pin, according to MSCL.",
             (
                 ("Pin", "Features"),
                 ("1", "GPIO, PPS, encoder"),
@@ -1415,26 +1462,29 @@ GQ7 = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x41): "MSCL lists the choices for this device.",  # 3dm.gpio_config
         (
             0x0C,
             0x50,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        ): "The manual says which filter command each firmware version has.",  # 3dm.imu_low_pass_filter
         (
             0x0C,
             0x54,
-        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
+        ): "The manual says which filter command each firmware version has.",  # 3dm.low_pass_filter
     },
     incomplete=(
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The baud rates of the Aux port are not known, nor all of its protocols.",
     ),
     also=("3DM-GQ7",),
@@ -1442,12 +1492,12 @@ GQ7 = Device(
     manual="3dm-gq7",
 )
 """Inertial navigation system with two GNSS receivers. Also called 3DM-GQ7. Generation 7. Model
-number 6284. Manual: MicroStrain 3DM-GQ7 Documentation, online, known from single pages. This
-profile is incomplete: Only single pages of the manual are known, so it has more commands and data.
-This profile is incomplete: The baud rates of the Aux port are not known, nor all of its protocols.
+number 6284. Manual: MicroStrain 3DM-GQ7 Documentation, online, known from some pages. This profile
+is incomplete: Only some pages of the manual are known, so it has more commands and data. This
+profile is incomplete: The baud rates of the Aux port are not known, nor all of its protocols.
 Uncertain: The values of `filter.MagneticDeclinationSource` are those that MSCL offers. Uncertain:
-By MSCL, firmware from 1.0 on and below 1.1 has only the values `all_internal` and `external` of
-`filter.GnssSource`.
+According to MSCL, firmware from 1.0 to below 1.1 has only the values `all_internal` and `external`
+of `filter.GnssSource`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1467,22 +1517,25 @@ GV7_AHRS = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=7,
     manual=None,
 )
-"""Attitude and heading reference system. Generation 7. Model number 6288. No manual of it is known.
-This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Attitude and heading reference system. Generation 7. Model number 6288. No manual is known. This
+profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1502,22 +1555,25 @@ GV7_AR = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=7,
     manual=None,
 )
-"""Attitude reference. Generation 7. Model number 6289. No manual of it is known. This profile is
-incomplete: No manual is known. The SDK has its name and number only.
+"""Attitude reference. Generation 7. Model number 6289. No manual is known. This profile is
+incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1537,22 +1593,25 @@ GV7_INS = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=7,
     manual=None,
 )
-"""Inertial navigation system. Generation 7. Model number 6290. No manual of it is known. This
-profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Inertial navigation system. Generation 7. Model number 6290. No manual is known. This profile is
+incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1561,7 +1620,7 @@ profile is incomplete: No manual is known. The SDK has its name and number only.
 GX3_15 = Device(
     id="3dm-gx3-15",
     title="3DM-GX3-15",
-    description="Device of generation 3, known by its name and its number.",
+    description="Device of generation 3, known only by its name and its number.",
     model_number=6227,
     fields=frozenset({}),
     functions={},
@@ -1575,24 +1634,27 @@ GX3_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known by its name and its number. Generation 3. Model number 6227. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6227.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1601,7 +1663,7 @@ number only.
 GX3_25 = Device(
     id="3dm-gx3-25",
     title="3DM-GX3-25",
-    description="Device of generation 3, known by its name and its number.",
+    description="Device of generation 3, known only by its name and its number.",
     model_number=6223,
     fields=frozenset({}),
     functions={},
@@ -1615,24 +1677,27 @@ GX3_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known by its name and its number. Generation 3. Model number 6223. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6223.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1641,7 +1706,7 @@ number only.
 GX3_35 = Device(
     id="3dm-gx3-35",
     title="3DM-GX3-35",
-    description="Device of generation 3, known by its name and its number.",
+    description="Device of generation 3, known only by its name and its number.",
     model_number=6225,
     fields=frozenset({}),
     functions={},
@@ -1655,24 +1720,27 @@ GX3_35 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known by its name and its number. Generation 3. Model number 6225. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6225.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1681,7 +1749,7 @@ number only.
 GX3_45 = Device(
     id="3dm-gx3-45",
     title="3DM-GX3-45",
-    description="Device of generation 3, known by its name and its number.",
+    description="Device of generation 3, known only by its name and its number.",
     model_number=6228,
     fields=frozenset({}),
     functions={},
@@ -1695,35 +1763,38 @@ GX3_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0D, 0x10): "MSCL lists what can be chosen on it.",  # filter.vehicle_dynamics_mode
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0D, 0x10): "MSCL lists the choices for this device.",  # filter.vehicle_dynamics_mode
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=3,
     manual=None,
 )
-"""Device of generation 3, known by its name and its number. Generation 3. Model number 6228. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 3, known only by its name and its number. Generation 3. Model number 6228.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1732,7 +1803,7 @@ number only.
 GX4_15 = Device(
     id="3dm-gx4-15",
     title="3DM-GX4-15",
-    description="Device of generation 4, known by its name and its number.",
+    description="Device of generation 4, known only by its name and its number.",
     model_number=6233,
     fields=frozenset({}),
     functions={},
@@ -1742,7 +1813,7 @@ GX4_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
         )
     },
@@ -1752,34 +1823,37 @@ GX4_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known by its name and its number. Generation 4. Model number 6233. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6233.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1788,7 +1862,7 @@ number only.
 GX4_25 = Device(
     id="3dm-gx4-25",
     title="3DM-GX4-25",
-    description="Device of generation 4, known by its name and its number.",
+    description="Device of generation 4, known only by its name and its number.",
     model_number=6234,
     fields=frozenset({}),
     functions={},
@@ -1798,7 +1872,7 @@ GX4_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
         )
     },
@@ -1808,35 +1882,38 @@ GX4_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known by its name and its number. Generation 4. Model number 6234. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6234.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1845,7 +1922,7 @@ number only.
 GX4_45 = Device(
     id="3dm-gx4-45",
     title="3DM-GX4-45",
-    description="Device of generation 4, known by its name and its number.",
+    description="Device of generation 4, known only by its name and its number.",
     model_number=6236,
     fields=frozenset({}),
     functions={},
@@ -1855,7 +1932,7 @@ GX4_45 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -1865,35 +1942,38 @@ GX4_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=4,
     manual=None,
 )
-"""Device of generation 4, known by its name and its number. Generation 4. Model number 6236. No
-manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+"""Device of generation 4, known only by its name and its number. Generation 4. Model number 6236.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1912,7 +1992,7 @@ GX5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -1922,25 +2002,28 @@ GX5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists the choices for this device.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-GX5-IMU",),
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2054,7 +2137,7 @@ GX5_15 = Device(
         ),
         "frames": Note(
             "Frame of the sensor data",
-            "`filter.sensor_to_vehicle_rotation_euler` turns scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of the complementary filter.",
+            "`filter.sensor_to_vehicle_rotation_euler` rotates scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not rotate the outputs of the complementary filter.",
             (),
         ),
         "low_pass_filter": Note(
@@ -2069,7 +2152,7 @@ GX5_15 = Device(
         ),
         "uart": Note(
             "UART",
-            "The default baud rate is 115200. There is no handshake; data that do not fit are dropped.",
+            "The default baud rate is 115200. There is no handshake; data that does not fit is dropped.",
             (),
         ),
         "time": Note(
@@ -2079,7 +2162,7 @@ GX5_15 = Device(
         ),
         "direct_mode": Note(
             "Direct mode",
-            "`system.comm_mode` connects the port to the inertial sensor inside. Only that command and `3dm.device_status` stay available meanwhile.",
+            "`system.comm_mode` connects the port to the internal inertial sensor. Meanwhile, only that command and `3dm.device_status` are available.",
             (),
         ),
     },
@@ -2120,7 +2203,7 @@ GX5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -2130,27 +2213,30 @@ GX5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
-        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL requests it from this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-GX5-AHRS",),
     generation=5,
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-GX5-AHRS. Generation 5. Model number 6253.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
-number only.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2206,7 +2292,7 @@ GX5_35 = Device(
     notes={
         "receiver": Note(
             "Receiver",
-            "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.",
+            "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou cannot be used together.",
             (),
         ),
         "streams": Note(
@@ -2230,120 +2316,120 @@ GX5_35 = Device(
         (
             0x01,
             0x02,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.set_idle
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.set_idle
         (
             0x01,
             0x05,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.built_in_test
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.built_in_test
         (
             0x01,
             0x06,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.resume
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.resume
         (
             0x01,
             0x7E,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.soft_reset
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.soft_reset
         (
             0x0C,
             0x02,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.poll_gnss_data
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.poll_gnss_data
         (
             0x0C,
             0x06,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.get_imu_base_rate
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.get_imu_base_rate
         (
             0x0C,
             0x38,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gyro_bias
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gyro_bias
         (
             0x0C,
             0x3A,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.mag_hard_iron_offset
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.mag_hard_iron_offset
         (
             0x0C,
             0x3E,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.coning_sculling_enable
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.coning_sculling_enable
         (
             0x0C,
             0x40,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.uart_baud_rate
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.uart_baud_rate
         (
             0x0C,
             0x50,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.imu_low_pass_filter
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.imu_low_pass_filter
         (
             0x80,
             0x08,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_velocity
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_velocity
         (
             0x80,
             0x09,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_orientation_matrix
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_orientation_matrix
         (
             0x80,
             0x0A,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_quaternion
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_quaternion
         (
             0x80,
             0x0C,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_euler_angles
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_euler_angles
         (
             0x80,
             0x10,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.north_vector
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.north_vector
         (
             0x81,
             0x03,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.llh_position
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.llh_position
         (
             0x81,
             0x04,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_position
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_position
         (
             0x81,
             0x05,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ned_velocity
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ned_velocity
         (
             0x81,
             0x07,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dop
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dop
         (
             0x81,
             0x08,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.utc_time
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.utc_time
         (
             0x81,
             0x09,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.gps_time
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.gps_time
         (
             0x81,
             0x0A,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.clock_info
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.clock_info
         (
             0x81,
             0x0B,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.fix_info
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.fix_info
         (
             0x81,
             0x0C,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.sv_info
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.sv_info
         (
             0x81,
             0x0D,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.hardware_status
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.hardware_status
         (
             0x81,
             0x0F,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dgps_channel
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dgps_channel
     },
-    incomplete=("Only single pages of the manual are known, so it has more commands and data.",),
+    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
     also=("3DM-GX5-GNSS/AHRS",),
     generation=5,
     manual="3dm-gx5-35",
 )
 """Attitude and heading reference with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model
-number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from single pages. This
-profile is incomplete: Only single pages of the manual are known, so it has more commands and data.
+number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This
+profile is incomplete: Only some pages of the manual are known, so it has more commands and data.
 Uncertain: The base rates are those that the manual gives for all 3DM-GX5.
 
 - mip-sdk-4: Device models
@@ -2430,12 +2516,12 @@ GX5_45 = Device(
             "ms",
             "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
         ),
-        "rtcm_chunk": Limit(253, "byte", "Most bytes of RTCM in one field."),
+        "rtcm_chunk": Limit(253, "byte", "Maximum number of RTCM bytes in one field."),
     },
     notes={
         "rtcm": Note(
             "RTCM input",
-            "A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes RTCM 2.3. The receiver uses the messages 1, 2, 3 and 9.",
+            "The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not known. The receiver uses the messages 1, 2, 3 and 9.",
             (),
         ),
         "functions": Note(
@@ -2445,7 +2531,7 @@ GX5_45 = Device(
         ),
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         ),
     },
@@ -2458,168 +2544,168 @@ GX5_45 = Device(
         (
             0x01,
             0x01,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.ping
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.ping
         (
             0x01,
             0x02,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.set_idle
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.set_idle
         (
             0x01,
             0x04,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.get_device_descriptors
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.get_device_descriptors
         (
             0x01,
             0x05,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.built_in_test
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.built_in_test
         (
             0x01,
             0x06,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.resume
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.resume
         (
             0x01,
             0x07,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.get_extended_descriptors
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.get_extended_descriptors
         (
             0x01,
             0x72,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.gps_time_update
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # base.gps_time_update
         (
             0x0C,
             0x01,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.poll_imu_data
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.poll_imu_data
         (
             0x0C,
             0x11,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.data_stream_control
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.data_stream_control
         (
             0x0C,
             0x21,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.constellation_settings
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.constellation_settings
         (
             0x0C,
             0x22,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_sbas_settings
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_sbas_settings
         (
             0x0C,
             0x23,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_assisted_fix
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_assisted_fix
         (
             0x0C,
             0x24,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_time_assistance
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gnss_time_assistance
         (
             0x0C,
             0x37,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.accel_bias
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.accel_bias
         (
             0x0C,
             0x38,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gyro_bias
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.gyro_bias
         (
             0x0C,
             0x39,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.capture_gyro_bias
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.capture_gyro_bias
         (
             0x0C,
             0x3B,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.mag_soft_iron_matrix
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.mag_soft_iron_matrix
         (
             0x0C,
             0x3E,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.coning_sculling_enable
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.coning_sculling_enable
         (
             0x0C,
             0x50,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.imu_low_pass_filter
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.imu_low_pass_filter
         (
             0x0C,
             0x51,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.complementary_filter
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # 3dm.complementary_filter
         (
             0x0D,
             0x01,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # filter.reset
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # filter.reset
         (
             0x0D,
             0x02,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # filter.set_initial_attitude
-        (0x0D, 0x53): "MSCL lists what can be chosen on it.",  # filter.adaptive_filter_options
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # filter.set_initial_attitude
+        (0x0D, 0x53): "MSCL lists the choices for this device.",  # filter.adaptive_filter_options
         (
             0x80,
             0x07,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_theta
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_theta
         (
             0x80,
             0x08,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_velocity
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.delta_velocity
         (
             0x80,
             0x09,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_orientation_matrix
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_orientation_matrix
         (
             0x80,
             0x0A,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_quaternion
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_quaternion
         (
             0x80,
             0x0C,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_euler_angles
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.comp_euler_angles
         (
             0x80,
             0x10,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.north_vector
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.north_vector
         (
             0x80,
             0x11,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.up_vector
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.up_vector
         (
             0x80,
             0x12,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.gps_timestamp
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.gps_timestamp
         (
             0x80,
             0x17,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.scaled_pressure
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # sensor.scaled_pressure
         (
             0x81,
             0x03,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.llh_position
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.llh_position
         (
             0x81,
             0x04,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_position
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_position
         (
             0x81,
             0x05,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ned_velocity
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ned_velocity
         (
             0x81,
             0x06,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_velocity
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.ecef_velocity
         (
             0x81,
             0x07,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dop
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.dop
         (
             0x81,
             0x08,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.utc_time
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.utc_time
         (
             0x81,
             0x09,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.gps_time
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.gps_time
         (
             0x81,
             0x0A,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.clock_info
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.clock_info
         (
             0x81,
             0x0B,
-        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.fix_info
+        ): "The section numbers leave room for it, and the manual of a related device has it there.",  # gnss_data.fix_info
     },
     incomplete=(
-        "Only single pages of the manual are known, so it has more commands and data.",
-        "Of the filter data four fields are listed, and the manual has 27 or more.",
+        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only four fields of the filter data are listed; the manual has 27 or more.",
     ),
     also=("3DM-GX5-GNSS/INS",),
     generation=5,
@@ -2627,13 +2713,13 @@ GX5_45 = Device(
 )
 """Inertial navigation system with GNSS, magnetometer and pressure sensor. Also called
 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP Manual, 8500-0064
-rev. C, known from single pages. This profile is incomplete: Only single pages of the manual are
-known, so it has more commands and data. This profile is incomplete: Of the filter data four fields
-are listed, and the manual has 27 or more. Uncertain: The base rates are those that the manuals of
-the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a
-base rate of 100 Hz for the sensor data. Uncertain: The manual prints the length of
-`mip_3dm.DeviceStatusBasicWithoutStateResponse`, and offsets of
-`mip_3dm.DeviceStatusDiagnosticGx4Response`, against MSCL.
+rev. C, known from some pages. This profile is incomplete: Only some pages of the manual are known,
+so it has more commands and data. This profile is incomplete: Only four fields of the filter data
+are listed; the manual has 27 or more. Uncertain: The base rates are those that the manuals of the
+3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a base
+rate of 100 Hz for the sensor data. Uncertain: The manual gives the length of
+`mip_3dm.DeviceStatusBasicWithoutStateResponse` and offsets of
+`mip_3dm.DeviceStatusDiagnosticGx4Response`; MSCL differs.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2642,7 +2728,7 @@ base rate of 100 Hz for the sensor data. Uncertain: The manual prints the length
 MV5_AR = Device(
     id="3dm-mv5-ar",
     title="3DM-MV5-AR",
-    description="Device of generation 5, known by its name and its number.",
+    description="Device of generation 5, known only by its name and its number.",
     model_number=6243,
     fields=frozenset({}),
     functions={},
@@ -2656,24 +2742,27 @@ MV5_AR = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
-        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
+        (0x0C, 0x11): "MSCL lists the choices for this device.",  # 3dm.data_stream_control
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=("3DM-MV5-15",),
     generation=5,
     manual=None,
 )
-"""Device of generation 5, known by its name and its number. Also called 3DM-MV5-15. Generation 5.
-Model number 6243. No manual of it is known. This profile is incomplete: No manual is known. The SDK
-has its name and number only.
+"""Device of generation 5, known only by its name and its number. Also called 3DM-MV5-15. Generation
+5. Model number 6243. No manual is known. This profile is incomplete: No manual is known. The SDK
+gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2725,12 +2814,12 @@ RQ1_45_LT = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
             (),
         ),
         "absent": Note(
-            "What it has not",
-            "By the contents of the manual, neither `base.gps_time_update` nor `3dm.complementary_filter`.",
+            "What it lacks",
+            "According to the table of contents of the manual, it has neither `base.gps_time_update` nor `3dm.complementary_filter`.",
             (),
         ),
     },
@@ -2740,20 +2829,20 @@ RQ1_45_LT = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
     incomplete=(
-        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ),
     also=("3DM-RQ1-45_LT",),
     generation=4,
@@ -2761,10 +2850,10 @@ RQ1_45_LT = Device(
 )
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_LT.
 Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
-2013, known from its contents. This profile is incomplete: The contents of the manual are known up
-to `filter.SetInitialHeading`. The set `system` follows. This profile is incomplete: It has the data
-sets 0x80, 0x81 and 0x82, of which no field is known. Uncertain: The SDK writes the name with an
-underscore before LT and ST.
+2013, known from its table of contents. This profile is incomplete: The table of contents of the
+manual is known up to `filter.SetInitialHeading`. The set `system` follows. This profile is
+incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: The
+SDK writes the name with an underscore before LT and ST.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2816,12 +2905,12 @@ RQ1_45_ST = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
             (),
         ),
         "absent": Note(
-            "What it has not",
-            "By the contents of the manual, neither `base.gps_time_update` nor `3dm.complementary_filter`.",
+            "What it lacks",
+            "According to the table of contents of the manual, it has neither `base.gps_time_update` nor `3dm.complementary_filter`.",
             (),
         ),
     },
@@ -2831,20 +2920,20 @@ RQ1_45_ST = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
-        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (0x0D, 0x14): "MSCL lists the choices for this device.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists the choices for this device.",  # filter.heading_source
         (
             0x0D,
             0x44,
-        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.accel_magnitude_error_adaptive_measurement
         (
             0x0D,
             0x45,
-        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+        ): "MSCL lists the choices for this device.",  # filter.mag_magnitude_error_adaptive_measurement
     },
     incomplete=(
-        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ),
     also=("3DM-RQ1-45_ST",),
     generation=4,
@@ -2852,10 +2941,10 @@ RQ1_45_ST = Device(
 )
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_ST.
 Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
-2013, known from its contents. This profile is incomplete: The contents of the manual are known up
-to `filter.SetInitialHeading`. The set `system` follows. This profile is incomplete: It has the data
-sets 0x80, 0x81 and 0x82, of which no field is known. Uncertain: The SDK writes the name with an
-underscore before LT and ST.
+2013, known from its table of contents. This profile is incomplete: The table of contents of the
+manual is known up to `filter.SetInitialHeading`. The set `system` follows. This profile is
+incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: The
+SDK writes the name with an underscore before LT and ST.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2875,22 +2964,25 @@ RTK = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
-        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
-        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
-        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (0x01, 0x01): "The vendor's software requests it from every device.",  # base.ping
+        (0x01, 0x02): "The vendor's software requests it from every device.",  # base.set_idle
+        (
+            0x01,
+            0x03,
+        ): "The vendor's software requests it from every device.",  # base.get_device_info
         (
             0x01,
             0x04,
-        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
-        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        ): "The vendor's software requests it from every device.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software requests it from every device.",  # base.resume
     },
-    incomplete=("No manual is known. The SDK has its name and number only.",),
+    incomplete=("No manual is known. The SDK gives only its name and number.",),
     also=(),
     generation=7,
     manual=None,
 )
-"""Modem for GNSS corrections. Generation 7. Model number 6285. No manual of it is known. This
-profile is incomplete: No manual is known. The SDK has its name and number only.
+"""Modem for GNSS corrections. Generation 7. Model number 6285. No manual is known. This profile is
+incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2944,17 +3036,17 @@ def find(name: str) -> Device | None:
 
 
 def by_name(name: str) -> Device:
-    """The same, however it is spelt ("gx5 15"); raises UnknownName, which says the nearest names."""
+    """The same for any spelling ("gx5 15"); raises UnknownName, which gives the nearest names."""
     return DEVICES[device_id(name)]
 
 
 def by_model(number: int) -> Device | None:
-    """A device by its model number; None if it is unknown, as newer ones are."""
+    """A device by its model number; None if it is unknown, for example of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 
 def identify(info: DeviceInfo) -> Device | None:
-    """The device that the device information is of; None if it is unknown."""
+    """The device that sent this device information; None if it is unknown."""
     number = model_number(info.model_number) or model_number(info.serial_number)
     return by_model(number) if number else None
 

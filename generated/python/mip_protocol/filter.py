@@ -236,21 +236,21 @@ class AngularConstraint(codec.OpenEnum):
 
 
 class InitialConditionSource(codec.OpenEnum):
-    """Which initial conditions the device finds itself and which the user gives."""
+    """Which initial conditions the device determines automatically and which the user provides."""
 
     AUTO_POSITION_VELOCITY_ATTITUDE = 0
-    """Position, velocity and attitude are found."""
+    """Position, velocity and attitude are automatic."""
     AUTO_POSITION_VELOCITY_PITCH_ROLL = 1
-    """Position, velocity, pitch and roll are found; the heading is given."""
+    """Position, velocity, pitch and roll are automatic; the user provides the heading."""
     AUTO_POSITION_VELOCITY = 2
-    """Position and velocity are found; the attitude is given."""
+    """Position and velocity are automatic; the user provides the attitude."""
     MANUAL = 3
-    """Position, velocity and attitude are given."""
+    """The user provides position, velocity and attitude."""
 
 
 @codec.open_flag(8)
 class HeadingAlignment(IntFlag):
-    """Ways in which the device may find its initial heading."""
+    """Methods by which the device may determine its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
     """From the baseline between two GNSS antennas. Bit 0."""
@@ -272,7 +272,7 @@ class ReferenceFrame(codec.OpenEnum):
 
 
 class AdaptiveLevel(codec.OpenEnum):
-    """How strongly the filter adapts to measurements that do not fit."""
+    """How strongly the filter adapts to inconsistent measurements."""
 
     OFF = 0
     """No adaptation."""
@@ -307,7 +307,7 @@ class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
     Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -391,8 +391,8 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -810,8 +810,8 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP
-    SDK only.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -828,7 +828,7 @@ class AutoZuptResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
+    """Highest speed that is treated as zero. Unit: m/s. Range: at least 0."""
 
     def __init__(self, enable: int, threshold: float) -> None:
         self.enable = enable
@@ -872,7 +872,7 @@ class AutoAngularZuptResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
+    """Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0."""
 
     def __init__(self, enable: int, threshold: float) -> None:
         self.enable = enable
@@ -994,8 +994,8 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -1033,7 +1033,7 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -1072,7 +1072,7 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -1191,7 +1191,7 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1408,7 +1408,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
 
     Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. May be supported by
     3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known from the MicroStrain MIP SDK only.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1451,24 +1451,24 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+    the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     high_limit: float
-    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+    the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
-    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
-    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+    a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
-    of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
+    of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -1531,8 +1531,8 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known from the
-    MicroStrain MIP SDK only.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1569,15 +1569,15 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cut-off frequency of the low-pass filter. Unit: Hz."""
     high_limit: float
-    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
     inferred from the quantity.
     """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
     rad is inferred from the quantity.
     """
     minimum_uncertainty: float
-    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
     inferred from the quantity.
     """
 
@@ -1623,7 +1623,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1699,8 +1699,8 @@ _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclinati
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known from the
-    MicroStrain MIP SDK only.
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1718,7 +1718,7 @@ class MagneticInclinationSourceResponse(Response):
     """Source of the inclination."""
     inclination: float
     """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK sends it always.
+    out if `source` is not manual. The SDK always sends it.
     """
 
     def __init__(self, source: MagParameterSource, inclination: float) -> None:
@@ -1744,8 +1744,8 @@ _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known from
-    the MicroStrain MIP SDK only.
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1763,7 +1763,7 @@ class MagneticMagnitudeSourceResponse(Response):
     """Source of the magnitude."""
     magnitude: float
     """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK sends it always.
+    out if `source` is not manual. The SDK always sends it.
     """
 
     def __init__(self, source: MagParameterSource, magnitude: float) -> None:
@@ -1789,7 +1789,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] *
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers `SensorToVehicleRotationDcm`. Known from the MicroStrain MIP SDK only.
+    Answers `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1830,7 +1830,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] *
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers `SensorToVehicleRotationQuaternion`. Known from the MicroStrain MIP SDK only.
+    Answers `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1918,7 +1918,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers `KinematicConstraint`. Known from the MicroStrain MIP SDK only.
+    Answers `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -2033,31 +2033,31 @@ class InitializationConfigResponse(Response):
     _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
-    """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1."""
+    """1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1."""
     initial_condition_source: InitialConditionSource
-    """Which initial conditions are found and which are given."""
+    """Which initial conditions are automatic and which the user provides."""
     auto_heading_alignment_selector: HeadingAlignment
-    """Ways in which the initial heading may be found."""
+    """Methods by which the initial heading may be determined."""
     initial_heading: float
-    """Given heading. Unit: deg."""
+    """Initial heading that the user provides. Unit: deg."""
     initial_pitch: float
-    """Given pitch. Unit: deg."""
+    """Initial pitch that the user provides. Unit: deg."""
     initial_roll: float
-    """Given roll. Unit: deg."""
+    """Initial roll that the user provides. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. Elements: x, y, z.
+    """Initial position that the user provides. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. Elements: x, y, z. Unit: m/s.
+    """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
-    """Frame of the given position and velocity."""
+    """Frame of the initial position and velocity."""
 
     def __init__(
         self,
@@ -2385,7 +2385,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers `VerticalGyroConstraintControl`. Known from the MicroStrain MIP SDK only.
+    Answers `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -2504,14 +2504,14 @@ class GnssAntennaCalibrationControlResponse(Response):
 class Reset(Command[None]):
     """Reset navigation filter (0x0D,0x01).
 
-    Puts the filter back into its initialization state.
+    Returns the filter to its initialization state.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
-    found.
+    detected.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -2631,7 +2631,7 @@ class SetInitialHeading(Command[None]):
 class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
 
-    Starts a filter that was set up to wait for this command.
+    Starts a filter that is configured to wait for this command.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2668,7 +2668,7 @@ class VehicleDynamicsMode(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2707,7 +2707,7 @@ class VehicleDynamicsMode(Command[R]):
     def read(
         cls: ClassOf[VehicleDynamicsMode[Any]],
     ) -> VehicleDynamicsMode[VehicleDynamicsModeResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -2780,9 +2780,9 @@ class SensorToVehicleRotationEuler(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    vector of the filter. The 3DM-CV7 uses the inverse instead:
     `mip_3dm.SensorToVehicleTransformEuler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
@@ -2830,7 +2830,7 @@ class SensorToVehicleRotationEuler(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleRotationEuler[Any]],
     ) -> SensorToVehicleRotationEuler[SensorToVehicleRotationEulerResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -2915,12 +2915,12 @@ class SensorToVehicleOffset(Command[R]):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
+    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     from the name.
 
-    It shifts `filter_data.LlhPosition` and nothing else. The shift is constant. It does not follow
-    the attitude, as a lever arm would.
+    It shifts only `filter_data.LlhPosition`. The shift is constant. It does not follow the
+    attitude, as a lever arm would.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -2960,7 +2960,7 @@ class SensorToVehicleOffset(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleOffset[Any]],
     ) -> SensorToVehicleOffset[SensorToVehicleOffsetResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3028,8 +3028,7 @@ class AntennaOffset(Command[R]):
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
-    is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.FrameConfig`.
+    applies to GNSS data received as NMEA; data from the aiding commands uses `aiding.FrameConfig`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -3067,7 +3066,7 @@ class AntennaOffset(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AntennaOffset[Any]]) -> AntennaOffset[AntennaOffsetResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3177,7 +3176,7 @@ class EstimationControl(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[EstimationControl[Any]]) -> EstimationControl[EstimationControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3244,8 +3243,8 @@ class GnssSource(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
-    A change while the filter runs may put it back into initialization until the new source gives
-    data.
+    A change while the filter is running may return it to initialization until the new source
+    provides data.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -3276,7 +3275,7 @@ class GnssSource(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GnssSource[Any]]) -> GnssSource[GnssSourceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3348,7 +3347,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -3589,7 +3588,7 @@ class HeadingSource(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[HeadingSource[Any]]) -> HeadingSource[HeadingSourceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3691,7 +3690,7 @@ class AutoInitializationControl(Command[R]):
     def read(
         cls: ClassOf[AutoInitializationControl[Any]],
     ) -> AutoInitializationControl[AutoInitializationControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3797,7 +3796,7 @@ class AccelNoise(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AccelNoise[Any]]) -> AccelNoise[AccelNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -3903,7 +3902,7 @@ class GyroNoise(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GyroNoise[Any]]) -> GyroNoise[GyroNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4017,7 +4016,7 @@ class AccelBiasModel(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AccelBiasModel[Any]]) -> AccelBiasModel[AccelBiasModelResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4141,7 +4140,7 @@ class GyroBiasModel(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GyroBiasModel[Any]]) -> GyroBiasModel[GyroBiasModelResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4213,10 +4212,10 @@ _AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
 
-    Lets the filter take the device as standing still while its GNSS speed is small.
+    Lets the filter assume that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4238,7 +4237,7 @@ class AutoZupt(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None
-    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
+    """Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, enable: int | None = None, threshold: float | None = None
@@ -4254,7 +4253,7 @@ class AutoZupt(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AutoZupt[Any]]) -> AutoZupt[AutoZuptResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4329,11 +4328,11 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
-    Better than `ExternalHeadingUpdate` where the heading changes quickly; the time must be
-    accurate. Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5
-    and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
-    second. If the declination source is not valid, -25 models refuse true headings and -45 models
-    magnetic ones.
+    Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
+    Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
+    the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+    ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -4410,7 +4409,7 @@ _AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False)
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
 
-    Lets the filter take the device as not rotating while its angular rate is small.
+    Lets the filter assume that the device is not rotating while its angular rate is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
@@ -4436,7 +4435,7 @@ class AutoAngularZupt(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None
-    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    """Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0. Required for
     `write`.
     """
 
@@ -4456,7 +4455,7 @@ class AutoAngularZupt(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AutoAngularZupt[Any]]) -> AutoAngularZupt[AutoAngularZuptResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4565,7 +4564,7 @@ class TareOrientation(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[TareOrientation[Any]]) -> TareOrientation[TareOrientationResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4622,9 +4621,9 @@ class TareOrientation(Command[R]):
 class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
 
-    Tells the filter once that the device stands still.
+    Tells the filter once that the device is at rest.
 
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4751,7 +4750,7 @@ class ReferencePosition(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[ReferencePosition[Any]]) -> ReferencePosition[ReferencePositionResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4841,7 +4840,7 @@ class MagCaptureAutoCalibration(Command[None]):
     Makes the automatic magnetometer calibration part of the fixed one.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
-    Known from the MicroStrain MIP SDK only.
+    Known only from the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
     `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
@@ -4939,7 +4938,7 @@ class GravityNoise(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GravityNoise[Any]]) -> GravityNoise[GravityNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5004,10 +5003,11 @@ class PressureAltitudeNoise(Command[R]):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
-    A small value follows the pressure faster, and takes weather and draughts for changes of height.
+    With a small value, the altitude follows the pressure faster, but weather and draughts appear as
+    changes of height.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -5042,7 +5042,7 @@ class PressureAltitudeNoise(Command[R]):
     def read(
         cls: ClassOf[PressureAltitudeNoise[Any]],
     ) -> PressureAltitudeNoise[PressureAltitudeNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5107,7 +5107,7 @@ class HardIronOffsetNoise(Command[R]):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -5147,7 +5147,7 @@ class HardIronOffsetNoise(Command[R]):
     def read(
         cls: ClassOf[HardIronOffsetNoise[Any]],
     ) -> HardIronOffsetNoise[HardIronOffsetNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5212,7 +5212,7 @@ class SoftIronMatrixNoise(Command[R]):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -5252,7 +5252,7 @@ class SoftIronMatrixNoise(Command[R]):
     def read(
         cls: ClassOf[SoftIronMatrixNoise[Any]],
     ) -> SoftIronMatrixNoise[SoftIronMatrixNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5352,7 +5352,7 @@ class EnableMeasurements(Command[R]):
     def read(
         cls: ClassOf[EnableMeasurements[Any]],
     ) -> EnableMeasurements[EnableMeasurementsResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5417,7 +5417,7 @@ class MagNoise(Command[R]):
     Standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
     process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
@@ -5454,7 +5454,7 @@ class MagNoise(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[MagNoise[Any]]) -> MagNoise[MagNoiseResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5569,7 +5569,7 @@ class MagneticDeclinationSource(Command[R]):
     def read(
         cls: ClassOf[MagneticDeclinationSource[Any]],
     ) -> MagneticDeclinationSource[MagneticDeclinationSourceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5664,7 +5664,8 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
     `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
-    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
+    reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy
+    of the heading.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -5766,7 +5767,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     def read(
         cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
     ) -> AccelMagnitudeErrorAdaptiveMeasurement[AccelMagnitudeErrorAdaptiveMeasurementResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5916,12 +5917,12 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. May be supported by
     3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
+    Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector
     may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
-    The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
-    limits. High limits suit high dynamics but let disturbances of the field through; low limits can
-    spoil the heading.
+    The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
+    determines the limits. High limits suit high dynamics but do not reject disturbances of the
+    field; low limits can degrade the heading.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -5967,25 +5968,25 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     high_limit: float | None
     """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
     the response.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
-    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
     the response.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -6035,7 +6036,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     def read(
         cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
     ) -> MagMagnitudeErrorAdaptiveMeasurement[MagMagnitudeErrorAdaptiveMeasurementResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6179,12 +6180,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known from the
-    MicroStrain MIP SDK only.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
-    `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but let
-    disturbances of the field through; low limits can spoil the heading.
+    `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
+    not reject disturbances of the field; low limits can degrade the heading.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -6220,16 +6221,16 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     high_limit: float | None
-    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
-    prints m/s^2; rad is inferred from the quantity.
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK gives
+    m/s^2; rad is inferred from the quantity.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
-    The SDK prints m/s^2; rad is inferred from the quantity.
+    The SDK gives m/s^2; rad is inferred from the quantity.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
-    prints m/s^2; rad is inferred from the quantity.
+    gives m/s^2; rad is inferred from the quantity.
     """
 
     def __init__(
@@ -6271,7 +6272,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     def read(
         cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
     ) -> MagDipAngleErrorAdaptiveMeasurement[MagDipAngleErrorAdaptiveMeasurementResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6377,13 +6378,13 @@ _ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
 class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
 
-    What aids the altitude beside GNSS.
+    What aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
-    place shift the pressure altitude, at times by more than 40 m.
+    GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
+    location shift the pressure altitude, sometimes by more than 40 m.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -6418,7 +6419,7 @@ class AltitudeAiding(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AltitudeAiding[Any]]) -> AltitudeAiding[AltitudeAidingResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6518,7 +6519,7 @@ class PitchRollAiding(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[PitchRollAiding[Any]]) -> PitchRollAiding[PitchRollAidingResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6584,8 +6585,8 @@ class MagneticInclinationSource(Command[R]):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Answered by `MagneticInclinationSourceResponse`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -6608,7 +6609,7 @@ class MagneticInclinationSource(Command[R]):
     """Source of the inclination. Required for `write`."""
     inclination: float | None
     """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    Whether it may be left out if `source` is not manual. The SDK always sends it.
     """
 
     def __init__(
@@ -6632,7 +6633,7 @@ class MagneticInclinationSource(Command[R]):
     def read(
         cls: ClassOf[MagneticInclinationSource[Any]],
     ) -> MagneticInclinationSource[MagneticInclinationSourceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6707,8 +6708,8 @@ class MagneticMagnitudeSource(Command[R]):
     Source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`. No device profile lists it. Known from
-    the MicroStrain MIP SDK only.
+    `default`. Answered by `MagneticMagnitudeSourceResponse`. Not listed in any device profile.
+    Known only from the MicroStrain MIP SDK.
 
     Without a good magnitude source, keep automatic magnetometer calibration off.
     `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
@@ -6732,7 +6733,7 @@ class MagneticMagnitudeSource(Command[R]):
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    Whether it may be left out if `source` is not manual. The SDK always sends it.
     """
 
     def __init__(
@@ -6756,7 +6757,7 @@ class MagneticMagnitudeSource(Command[R]):
     def read(
         cls: ClassOf[MagneticMagnitudeSource[Any]],
     ) -> MagneticMagnitudeSource[MagneticMagnitudeSourceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6830,14 +6831,14 @@ class SensorToVehicleRotationDcm(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    `SensorToVehicleRotationDcmResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It turns the
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It rotates the
     scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
     orientation, linear acceleration, angular rate and gravity vector of the filter. The device
-    refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
-    elements read back may differ a little from those written.
+    refuses a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the
+    elements read back may differ slightly from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -6877,7 +6878,7 @@ class SensorToVehicleRotationDcm(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleRotationDcm[Any]],
     ) -> SensorToVehicleRotationDcm[SensorToVehicleRotationDcmResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6942,13 +6943,14 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    `SensorToVehicleRotationQuaternionResponse`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. It
-    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
-    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
-    device normalizes it, so the elements read back may differ a little from those written.
+    rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    filter. The device normalizes it, so the elements read back may differ slightly from those
+    written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -6988,7 +6990,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleRotationQuaternion[Any]],
     ) -> SensorToVehicleRotationQuaternion[SensorToVehicleRotationQuaternionResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7109,7 +7111,7 @@ class AidingMeasurementEnable(Command[R]):
     def read(
         cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource
     ) -> AidingMeasurementEnable[AidingMeasurementEnableResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, aiding_source=aiding_source)
 
     @classmethod
@@ -7195,8 +7197,8 @@ class KinematicConstraint(Command[R]):
     Assumptions about the motion that the filter uses as measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
+    `KinematicConstraintResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
     values in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
@@ -7253,7 +7255,7 @@ class KinematicConstraint(Command[R]):
     def read(
         cls: ClassOf[KinematicConstraint[Any]],
     ) -> KinematicConstraint[KinematicConstraintResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7400,33 +7402,33 @@ class InitializationConfig(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None
-    """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1. Required for
-    `write`.
+    """1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1.
+    Required for `write`.
     """
     initial_condition_source: InitialConditionSource | None
-    """Which initial conditions are found and which are given. Required for `write`."""
+    """Which initial conditions are automatic and which the user provides. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None
-    """Ways in which the initial heading may be found. Required for `write`."""
+    """Methods by which the initial heading may be determined. Required for `write`."""
     initial_heading: float | None
-    """Given heading. Unit: deg. Required for `write`."""
+    """Initial heading that the user provides. Unit: deg. Required for `write`."""
     initial_pitch: float | None
-    """Given pitch. Unit: deg. Required for `write`."""
+    """Initial pitch that the user provides. Unit: deg. Required for `write`."""
     initial_roll: float | None
-    """Given roll. Unit: deg. Required for `write`."""
+    """Initial roll that the user provides. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None
-    """Given position. Elements: x, y, z. Required for `write`.
+    """Initial position that the user provides. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None
-    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+    """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None
-    """Frame of the given position and velocity. Required for `write`."""
+    """Frame of the initial position and velocity. Required for `write`."""
 
     def __init__(
         self,
@@ -7483,7 +7485,7 @@ class InitializationConfig(Command[R]):
     def read(
         cls: ClassOf[InitializationConfig[Any]],
     ) -> InitializationConfig[InitializationConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7684,7 +7686,7 @@ class AdaptiveFilterOptions(Command[R]):
     def read(
         cls: ClassOf[AdaptiveFilterOptions[Any]],
     ) -> AdaptiveFilterOptions[AdaptiveFilterOptionsResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7807,7 +7809,7 @@ class MultiAntennaOffset(Command[R]):
     def read(
         cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int
     ) -> MultiAntennaOffset[MultiAntennaOffsetResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, receiver_id=receiver_id)
 
     @classmethod
@@ -7951,7 +7953,7 @@ class RelativePositionConfig(Command[R]):
     def read(
         cls: ClassOf[RelativePositionConfig[Any]],
     ) -> RelativePositionConfig[RelativePositionConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8096,7 +8098,7 @@ class ReferencePointLeverArm(Command[R]):
     def read(
         cls: ClassOf[ReferencePointLeverArm[Any]],
     ) -> ReferencePointLeverArm[ReferencePointLeverArmResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8169,8 +8171,8 @@ class SpeedMeasurement(Command[None]):
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
-    response, `filter.speed_measurement_response`, but has no layout of it.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+    names a response, `filter.speed_measurement_response`, but has no layout of it.
 
     It must not be used together with the odometer of the device. Single precision resolves the time
     of week to 0.0625 s at the end of the week.
@@ -8195,7 +8197,7 @@ class SpeedMeasurement(Command[None]):
     source: int
     """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
+    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none."""
     speed: float
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
@@ -8238,7 +8240,7 @@ class SpeedLeverArm(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    It corrects for the speed that such a point has only because the vehicle turns.
+    It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -8282,7 +8284,7 @@ class SpeedLeverArm(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[SpeedLeverArm[Any]]) -> SpeedLeverArm[SpeedLeverArmResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, source=1)
 
     @classmethod
@@ -8355,13 +8357,13 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
 
-    Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+    Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    `VerticalGyroConstraintControlResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    It takes the linear acceleration as zero.
+    It assumes that the linear acceleration is zero.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -8396,7 +8398,7 @@ class VerticalGyroConstraintControl(Command[R]):
     def read(
         cls: ClassOf[VerticalGyroConstraintControl[Any]],
     ) -> VerticalGyroConstraintControl[VerticalGyroConstraintControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8469,8 +8471,8 @@ class WheeledVehicleConstraintControl(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
-    for vehicles that move sideways, such as aircraft.
+    It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
+    use it for vehicles that move sideways, such as aircraft.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -8505,7 +8507,7 @@ class WheeledVehicleConstraintControl(Command[R]):
     def read(
         cls: ClassOf[WheeledVehicleConstraintControl[Any]],
     ) -> WheeledVehicleConstraintControl[WheeledVehicleConstraintControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8621,7 +8623,7 @@ class GnssAntennaCalibrationControl(Command[R]):
     def read(
         cls: ClassOf[GnssAntennaCalibrationControl[Any]],
     ) -> GnssAntennaCalibrationControl[GnssAntennaCalibrationControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8734,7 +8736,7 @@ VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Reset,),
     0x02: (SetInitialAttitude,),

@@ -156,12 +156,12 @@ class DualAntennaFixType(codec.OpenEnum):
 
 @codec.open_flag(16)
 class DualAntennaStatusFlags(IntFlag):
-    """What the heading solution of two antennas has to work with."""
+    """Inputs available to the heading solution of two antennas."""
 
     RECEIVER_1_DATA_VALID = 1 << 0
-    """Data of receiver 1 are valid. Bit 0."""
+    """Data of receiver 1 is valid. Bit 0."""
     RECEIVER_2_DATA_VALID = 1 << 1
-    """Data of receiver 2 are valid. Bit 1."""
+    """Data of receiver 2 is valid. Bit 1."""
     ANTENNA_OFFSETS_VALID = 1 << 2
     """The antenna offsets are valid. Bit 2."""
 
@@ -174,13 +174,13 @@ class Gx5FilterState(codec.OpenEnum):
     """
 
     STARTUP = 0
-    """The device starts."""
+    """The device is starting."""
     INIT = 1
-    """Initialization; the status flags tell what is missing."""
+    """Initialization; the status flags show what is missing."""
     RUN_SOLUTION_VALID = 2
     """Running with a valid solution."""
     RUN_SOLUTION_ERROR = 3
-    """Running with an error; the status flags tell which."""
+    """Running with an error; the status flags show which."""
 
 
 class Cv7FilterState(codec.OpenEnum):
@@ -201,7 +201,7 @@ class Cv7FilterState(codec.OpenEnum):
 
 
 class Gx5DynamicsMode(codec.OpenEnum):
-    """Motion for which the filter of a 5-series device is set up."""
+    """Motion for which the filter of a 5-series device is configured."""
 
     PORTABLE = 1
     """Carried by hand."""
@@ -220,7 +220,7 @@ class Cv7DynamicsMode(codec.OpenEnum):
 
 @codec.open_flag(16)
 class Gx5StatusFlags(IntFlag):
-    """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
+    """Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`,
     the others while the filter runs.
 
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -240,7 +240,7 @@ class Gx5StatusFlags(IntFlag):
     RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
     """An attitude covariance is above its normal limit. Bit 6."""
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution holds values that are not numbers. Bit 7."""
+    """The solution contains values that are not numbers. Bit 7."""
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
     """The estimated gyroscope bias is high. Bit 8."""
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
@@ -300,15 +300,16 @@ class Cv7StatusFlags(IntFlag):
     IMU_BIAS_WARNING = 1 << 6
     """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
     GNSS_CLOCK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation goes on. Bit 7."""
+    """The GNSS clock is doubtful; navigation continues. Bit 7."""
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
     """The antenna offsets are probably wrong. Bit 8."""
     MOUNTING_TRANSFORM_WARNING = 1 << 9
     """The mounting transformation is probably wrong. Bit 9."""
     TIME_SYNC_WARNING = 1 << 10
-    """No pulse per second is found, or the time of an external heading is too old. Bit 10."""
+    """No pulse per second is detected, or the time of an external heading is too old. Bit 10."""
     SOLUTION_ERROR = 0xF000
-    """Not 0 if the solution holds values that are not numbers; reset the filter. Bits 12 to 15."""
+    """Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to 15.
+    """
 
     @property
     def filter_condition(self) -> FilterCondition:
@@ -462,7 +463,7 @@ class AttitudeQuaternion(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
+    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -512,7 +513,8 @@ class AttitudeDcm(Data):
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
-    The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
+    The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
+    v_ned`.
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -843,7 +845,7 @@ class EulerAnglesUncertainty(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+    3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
     degrees of pitch up or down.
 
     - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
@@ -1005,7 +1007,7 @@ _LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
-    Compensated acceleration less the estimated gravity.
+    Compensated acceleration minus the estimated gravity.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
@@ -1101,11 +1103,11 @@ _WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags
 class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
-    Magnitude of gravity at the position of the device by the WGS84 model.
+    Magnitude of gravity at the position of the device according to the WGS84 model.
 
     Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
 
-    The model holds up to an altitude of 20 km.
+    The model is valid up to an altitude of 20 km.
 
     - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
     """
@@ -1152,8 +1154,8 @@ class Status(Data):
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
-    (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags mean other things
-    in state `init` than while the filter runs.
+    (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags have other
+    meanings in state `init` than while the filter runs.
 
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -1179,7 +1181,7 @@ class Status(Data):
     - On the 3DM-GX5-15: values of `Gx5FilterState`.
     """
     dynamics_mode: int
-    """Motion for which the filter is set up.
+    """Motion for which the filter is configured.
 
     - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
     - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
@@ -1220,9 +1222,9 @@ class Timestamp(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
-    Without synchronization to a receiver or an external clock it is the internal system time.
-    3DM-CV7: the field may be withdrawn; `shared.GpsTimestamp` is better.
+    Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
+    synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
+    field may be withdrawn; `shared.GpsTimestamp` is better.
 
     - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -1452,7 +1454,7 @@ _MAGNETIC_MODEL_0 = codec.Block(
 class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
-    Magnetic field at the position of the device by the World Magnetic Model.
+    Magnetic field at the position of the device according to the World Magnetic Model.
 
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -1558,7 +1560,7 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1609,7 +1611,7 @@ class AccelScaleFactor(Data):
 
     Estimated scale factor of the accelerometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1662,7 +1664,7 @@ class GyroScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1719,7 +1721,7 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -1774,7 +1776,7 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1821,7 +1823,7 @@ class MagBiasUncertainty(Data):
 
     Standard deviation of the estimated bias of the magnetometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
     """
@@ -1870,7 +1872,7 @@ _COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
-    Acceleration without the estimated bias; gravity is still in it.
+    Acceleration without the estimated bias; it includes gravity.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
@@ -1928,7 +1930,7 @@ class StandardAtmosphere(Data):
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -1966,9 +1968,7 @@ class StandardAtmosphere(Data):
     )
 
     geometric_altitude: float
-    """Altitude that goes into the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is
-    set.
-    """
+    """Altitude used in the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     geopotential_altitude: float
     """Geopotential altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     standard_temperature: float
@@ -2083,8 +2083,8 @@ class DensityAltitude(Data):
 
     Altitude at which the standard atmosphere has the density of the air around the device.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives
-    the name only; the description is the usual meaning of the term.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+    gives the name only; the description is the usual meaning of the term.
 
     - mip-sdk-4: Density Altitude (0x82,0x22)
     """
@@ -2128,8 +2128,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2178,8 +2178,8 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2228,8 +2228,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -2281,8 +2281,8 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -2337,8 +2337,8 @@ class MagCovarianceMatrix(Data):
 
     Covariance of the magnetometer measurement.
 
-    Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
     """
@@ -2388,8 +2388,8 @@ class MagResidualVector(Data):
 
     Residual of the magnetometer measurement.
 
-    Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
     """
@@ -2438,7 +2438,7 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2491,7 +2491,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
@@ -2542,7 +2542,7 @@ class ClockCorrection(Data):
 
     Estimated clock error of one GNSS receiver.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
@@ -2605,7 +2605,7 @@ class ClockCorrectionUncertainty(Data):
 
     Standard deviation of the estimated clock error of one GNSS receiver.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
     """
@@ -3122,8 +3122,8 @@ class GnssAttitudeAidingStatus(Data):
 
     How the filter uses the attitude that two GNSS antennas give.
 
-    Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3183,8 +3183,8 @@ class HeadingAidingStatus(Data):
 
     The heading measurement that the filter used last.
 
-    Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `head_aid_status`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3445,7 +3445,7 @@ class GnssDualAntennaStatus(Data):
     fix_type: DualAntennaFixType
     """Kind of solution."""
     status_flags: DualAntennaStatusFlags
-    """What the solution has to work with."""
+    """Inputs available to the solution."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -3620,7 +3620,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
     0x02: (NedVelocity,),

@@ -32,7 +32,7 @@ class ReceiverInfoEntry(Structure):
     mip_data_descriptor_set: int
     """Descriptor set of the data of this receiver. Range: 128 to 254."""
     description: str
-    """Module name or model and firmware version, with a comma between."""
+    """Module name or model and firmware version, separated by a comma."""
 
     def __init__(self, receiver_id: int, mip_data_descriptor_set: int, description: str) -> None:
         self.receiver_id = receiver_id
@@ -103,12 +103,12 @@ class BeidouSignals(IntFlag):
 
 
 class SpartnConnection(codec.OpenEnum):
-    """How SPARTN corrections come."""
+    """How SPARTN corrections are received."""
 
     NONE = 0
     """No connection."""
     NETWORK = 1
-    """By a network."""
+    """Over a network."""
     L_BAND = 2
     """By satellite in the L band."""
 
@@ -132,7 +132,7 @@ class ReceiverInfoResponse(Response):
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
 
-    # On the wire: num_receivers. Number of physical receivers. The number of elements of
+    # On the wire only: num_receivers. Number of physical receivers. The number of elements of
     # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
@@ -242,8 +242,8 @@ _RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known from the
-    MicroStrain MIP SDK only.
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -344,7 +344,7 @@ class SpartnConfigResponse(Response):
     enable: int
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
     type: SpartnConnection
-    """How the corrections come."""
+    """How the corrections are received."""
     current_key_tow: int
     """GPS time of week until which the current key is valid. Unit: s."""
     current_key_week: int
@@ -418,7 +418,7 @@ class SpartnConfigResponse(Response):
 class ReceiverInfo(Command[ReceiverInfoResponse]):
     """Receiver info (0x0E,0x01).
 
-    Asks which GNSS receivers the device has.
+    Gets the GNSS receivers of the device.
 
     Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -464,9 +464,9 @@ class SignalConfig(Command[R]):
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    A device takes certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses
-    GPS L1 with BeiDou L1 alone. It takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo
-    none, or L1 and L5; for GLONASS none or L1.
+    A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
+    refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
+    Galileo none, or L1 and L5; for GLONASS none or L1.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -545,7 +545,7 @@ class SignalConfig(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[SignalConfig[Any]]) -> SignalConfig[SignalConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -649,8 +649,8 @@ class RtkDongleConfig(Command[R]):
     Whether the device talks to the RTK dongle that is connected to it.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    `default`. Answered by `RtkDongleConfigResponse`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -689,7 +689,7 @@ class RtkDongleConfig(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[RtkDongleConfig[Any]]) -> RtkDongleConfig[RtkDongleConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -780,11 +780,11 @@ class SpartnConfig(Command[R]):
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
-    takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
+    accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
     the command has "bc" for 0xBC.
 
-    A change of enable or type has an effect after a power cycle only; keys can be changed while
-    running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
+    A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
+    time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
     none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
@@ -827,7 +827,7 @@ class SpartnConfig(Command[R]):
     enable: int | None
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`."""
     type: SpartnConnection | None
-    """How the corrections come. Required for `write`."""
+    """How the corrections are received. Required for `write`."""
     current_key_tow: int | None
     """GPS time of week until which the current key is valid. Unit: s. Required for `write`."""
     current_key_week: int | None
@@ -890,7 +890,7 @@ class SpartnConfig(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[SpartnConfig[Any]]) -> SpartnConfig[SpartnConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -1022,7 +1022,7 @@ SignalConfigResponse.COMMANDS = (SignalConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfig,),

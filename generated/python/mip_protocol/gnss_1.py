@@ -102,7 +102,7 @@ class DopFlags(IntFlag):
 
 @codec.open_flag(16)
 class UtcTimeFlags(IntFlag):
-    """How far the UTC time is valid."""
+    """Which parts of the UTC time are valid."""
 
     GNSS_DATE_TIME = 1 << 0
     """Date and time come from GNSS. Bit 0."""
@@ -140,7 +140,7 @@ class ClockInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class FixFlags(IntFlag):
-    """What the fix makes use of."""
+    """What the fix uses."""
 
     SBAS_USED = 1 << 0
     """Satellite based augmentation. Bit 0."""
@@ -193,7 +193,7 @@ class SvInfoFlags(IntFlag):
 
 
 class ReceiverState(codec.OpenEnum):
-    """Whether the receiver works."""
+    """State of the receiver."""
 
     OFF = 0
     """Off."""
@@ -443,7 +443,7 @@ class SignalQuality(codec.OpenEnum):
     NONE = 0
     """No signal."""
     SEARCHING = 1
-    """The signal is searched."""
+    """The signal is being searched for."""
     ACQUIRED = 2
     """The signal is acquired."""
     UNUSABLE = 3
@@ -540,7 +540,7 @@ class BaseStationInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class RtkEpochStatus(IntFlag):
-    """Corrections that came during an epoch."""
+    """Corrections received during an epoch."""
 
     ANTENNA_LOCATION_RECEIVED = 1 << 0
     """Antenna location. Bit 0."""
@@ -555,9 +555,10 @@ class RtkEpochStatus(IntFlag):
     BEIDOU_RECEIVED = 1 << 5
     """BeiDou corrections. Bit 5."""
     USING_GPS_MSM_MESSAGES = 1 << 6
-    """GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. Bit 6."""
+    """GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6."""
     USING_GLONASS_MSM_MESSAGES = 1 << 7
-    """GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. Bit 7."""
+    """GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012. Bit 7.
+    """
     DONGLE_STATUS_READ_FAILED = 1 << 8
     """The status of the dongle could not be read. Bit 8."""
 
@@ -1209,7 +1210,7 @@ class UtcTime(Data):
     `valid_flags` is set.
     """
     valid_flags: UtcTimeFlags
-    """How far the time is valid."""
+    """Which parts of the time are valid."""
 
     def __init__(
         self,
@@ -1315,9 +1316,9 @@ class ClockInfo(Data):
 
     Bias and drift of the receiver clock.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    Clock info 2 replaces it and tells more.
+    Clock info 2 replaces it and gives more detail.
 
     - mip-sdk-4: Clock Info (0x81,0x0A)
     """
@@ -1376,7 +1377,7 @@ _FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flag
 class FixInfo(Data):
     """Fix info (0x91,0x0B).
 
-    Type of the position fix and what it is made of.
+    Type of the position fix and what it is based on.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -1400,11 +1401,11 @@ class FixInfo(Data):
     fix_type: types.GnssFixType
     """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
     num_sv: int
-    """Number of satellites of the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of `valid_flags` is
-    set.
+    """Number of satellites used in the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of
+    `valid_flags` is set.
     """
     fix_flags: FixFlags
-    """Aids of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
+    """What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
     """Which values are valid."""
 
@@ -1452,10 +1453,10 @@ class SvInfo(Data):
 
     One satellite that is tracked.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
-    holds one of these fields or several.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a
+    packet holds one of these fields or several.
 
-    The satellites come as one field each, in packets apart from other GNSS data.
+    Each satellite is sent as one field, in packets separate from other GNSS data.
 
     - mip-sdk-4: Sv Info (0x81,0x0C)
     """
@@ -1638,9 +1639,9 @@ class DgpsInfo(Data):
 
     State of the differential corrections.
 
-    No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of
-    MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
-    another one, u8, three floats and u16, which is that of `DgpsChannel` and does not agree with
+    Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35 and
+    from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+    another layout: u8, three floats and u16. It is that of `DgpsChannel` and does not agree with
     its own valid flags (age, base station id, base station status, number of channels).
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
@@ -1733,9 +1734,9 @@ class DgpsChannel(Data):
 
     Differential correction for one satellite.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    The active satellites come as one field each, all in one packet.
+    Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Dgps Channel (0x81,0x0F)
     """
@@ -2081,7 +2082,7 @@ class SbasCorrection(Data):
 
     SBAS correction for one satellite.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -2145,8 +2146,8 @@ class SbasCorrection(Data):
     satellite_id: int
     """Satellite within the constellation."""
     udrei: int
-    """Indicator of the range error that is left after fast and long-term corrections, the
-    atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+    """Indicator of the range error that remains after fast and long-term corrections, not counting
+    the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
     `SbasCorrectionFlags.UDREI` of `valid_flags` is set.
     """
     pseudorange_correction: float
@@ -2235,9 +2236,9 @@ _RF_ERROR_DETECTION_0 = codec.Block(
 class RfErrorDetection(Data):
     """RF error detection (0x91,0x14).
 
-    Jamming and spoofing as the receiver detects them in one band.
+    Jamming and spoofing that the receiver detects in one band.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
@@ -2323,7 +2324,7 @@ _SATELLITE_STATUS_0 = codec.Block(
 class SatelliteStatus(Data):
     """Satellite status (0x91,0x20).
 
-    Where one satellite stands, and its health.
+    Direction to one satellite, and its health.
 
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -2761,7 +2762,7 @@ class BaseStationInfo(Data):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Base Station Info (0x81,0x30)
     """
@@ -2889,9 +2890,9 @@ _RTK_CORRECTIONS_STATUS_0 = codec.Block(
 class RtkCorrectionsStatus(Data):
     """RTK corrections status (0x91,0x31).
 
-    Which corrections come, and how old they are.
+    Which corrections are received, and how old they are.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     """
@@ -2945,13 +2946,13 @@ class RtkCorrectionsStatus(Data):
     `valid_flags` is set.
     """
     epoch_status: RtkEpochStatus
-    """Corrections that came during this epoch. Valid if `RtkCorrectionsStatusFlags.EPOCH_STATUS` of
+    """Corrections received during this epoch. Valid if `RtkCorrectionsStatusFlags.EPOCH_STATUS` of
     `valid_flags` is set.
     """
     dongle_status: types.RtkStatusFlags
     """Status flags of the RTK dongle; of use only with a dongle. Valid if
-    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as that of
-    `rtk.GetStatusFlags`, in one of its two forms.
+    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as in the
+    response to `rtk.GetStatusFlags`, in one of its two forms.
     """
     gps_correction_latency: float
     """Latency of the last GPS correction. Unit: s. Valid if `RtkCorrectionsStatusFlags.GPS_LATENCY`
@@ -3088,7 +3089,7 @@ class GpsEphemeris(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    `iodc` changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -3676,7 +3677,7 @@ class GlonassEphemeris(Data):
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     accel: types.Vector3f
-    """Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+    """Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
     Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     health: int
@@ -3911,7 +3912,8 @@ class GalileoEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -4368,7 +4370,8 @@ class BeidouEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
@@ -4788,8 +4791,8 @@ class GpsIonoCorrection(Data):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
@@ -4872,8 +4875,8 @@ class GalileoIonoCorrection(Data):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
@@ -4907,7 +4910,7 @@ class GalileoIonoCorrection(Data):
     disturbance_flags: int
     """Storm flags of five regions, in bits 1 to 5. Valid if
     `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
-    bits count from 0 or from 1, and which region each stands for.
+    bits count from 0 or from 1, and which region each represents.
     """
     valid_flags: GalileoIonoCorrectionFlags
     """Which values are valid."""
@@ -4964,8 +4967,8 @@ class BeidouIonoCorrection(Data):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """
@@ -5048,7 +5051,7 @@ class BeidouIonoCorrection(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

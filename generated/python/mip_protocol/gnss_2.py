@@ -131,10 +131,10 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.ClockInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    Clock info 2 replaces it and tells more.
+    Clock info 2 replaces it and gives more detail.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -148,7 +148,7 @@ class ClockInfo(gnss_1.ClockInfo):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x92,0x0B).
 
-    Type of the position fix and what it is made of.
+    Type of the position fix and what it is based on.
 
     Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -166,10 +166,10 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: Whether a packet holds one of these fields or several.
+    Has the layout of `gnss_1.SvInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
 
-    The satellites come as one field each, in packets apart from other GNSS data.
+    Each satellite is sent as one field, in packets separate from other GNSS data.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -202,11 +202,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
-    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
-    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
-    valid flags (age, base station id, base station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+    another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+    layout: u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its
+    own valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -222,10 +222,10 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.DgpsChannel`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    The active satellites come as one field each, all in one packet.
+    Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -291,8 +291,8 @@ class SbasCorrection(gnss_1.SbasCorrection):
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.SbasCorrection`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -310,10 +310,10 @@ class SbasCorrection(gnss_1.SbasCorrection):
 class RfErrorDetection(gnss_1.RfErrorDetection):
     """RF error detection (0x92,0x14).
 
-    Jamming and spoofing as the receiver detects them in one band.
+    Jamming and spoofing that the receiver detects in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.RfErrorDetection`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -327,7 +327,7 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x92,0x20).
 
-    Where one satellite stands, and its health.
+    Direction to one satellite, and its health.
 
     Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -366,8 +366,8 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    Has the layout of `gnss_1.BaseStationInfo`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.BaseStationInfo`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -381,10 +381,10 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x92,0x31).
 
-    Which corrections come, and how old they are.
+    Which corrections are received, and how old they are.
 
-    Has the layout of `gnss_1.RtkCorrectionsStatus`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.RtkCorrectionsStatus`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -402,7 +402,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Has the layout of `gnss_1.GpsEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
-    `iodc` changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
@@ -441,7 +441,8 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     Has the layout of `gnss_1.GalileoEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -460,7 +461,8 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     Has the layout of `gnss_1.BeidouEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """
@@ -476,8 +478,8 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. No device profile
-    lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -493,8 +495,8 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. No device
-    profile lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -510,8 +512,8 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. No device
-    profile lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -522,7 +524,7 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
     NAME = "gnss_2.beidou_iono_correction"
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

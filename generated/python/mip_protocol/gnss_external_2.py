@@ -1,10 +1,10 @@
 """External GNSS data 2 (0x95).
 
-What a second external GNSS receiver tells the device.
+Data that a second external GNSS receiver sends to the device.
 
 Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
-data sets the same fields. Uncertain: The name. It is that of a page on the 3DM-CV7-INS that the
-vendor put up for trial; the SDK calls the set GNSS 5.
+data sets the same fields. Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor
+published for trial; the SDK calls the set GNSS 5.
 
 - mip-sdk-4: Gnss5 Data (0x95)
 """
@@ -20,8 +20,8 @@ class LlhPosition(gnss_1.LlhPosition):
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. No device profile lists it. Known
-    from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. Not listed in any device profile.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -37,8 +37,8 @@ class EcefPosition(gnss_1.EcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -54,8 +54,8 @@ class NedVelocity(gnss_1.NedVelocity):
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. No device profile lists it. Known
-    from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. Not listed in any device profile.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -71,8 +71,8 @@ class EcefVelocity(gnss_1.EcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -88,8 +88,8 @@ class Dop(gnss_1.Dop):
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Has the layout of `gnss_1.Dop`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -105,8 +105,8 @@ class UtcTime(gnss_1.UtcTime):
 
     Coordinated universal time as the receiver knows it.
 
-    Has the layout of `gnss_1.UtcTime`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.UtcTime`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -122,8 +122,8 @@ class GpsTime(gnss_1.GpsTime):
 
     GPS time as the receiver knows it.
 
-    Has the layout of `gnss_1.GpsTime`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.GpsTime`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -139,10 +139,10 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.ClockInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    Clock info 2 replaces it and tells more.
+    Clock info 2 replaces it and gives more detail.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -156,10 +156,10 @@ class ClockInfo(gnss_1.ClockInfo):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x95,0x0B).
 
-    Type of the position fix and what it is made of.
+    Type of the position fix and what it is based on.
 
-    Has the layout of `gnss_1.FixInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.FixInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -175,10 +175,10 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: Whether a packet holds one of these fields or several.
+    Has the layout of `gnss_1.SvInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
 
-    The satellites come as one field each, in packets apart from other GNSS data.
+    Each satellite is sent as one field, in packets separate from other GNSS data.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -194,8 +194,8 @@ class HardwareStatus(gnss_1.HardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -211,11 +211,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
-    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
-    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
-    valid flags (age, base station id, base station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+    another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+    layout: u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its
+    own valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -231,10 +231,10 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.DgpsChannel`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    The active satellites come as one field each, all in one packet.
+    Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -250,8 +250,8 @@ class ClockInfo2(gnss_1.ClockInfo2):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo2`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.ClockInfo2`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     It supersedes clock info.
 
@@ -269,8 +269,8 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 
     Difference between GPS time and UTC.
 
-    Has the layout of `gnss_1.GpsLeapSeconds`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GpsLeapSeconds`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -286,8 +286,8 @@ class SbasInfo(gnss_1.SbasInfo):
 
     Status of the satellite based augmentation.
 
-    Has the layout of `gnss_1.SbasInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.SbasInfo`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -303,8 +303,8 @@ class SbasCorrection(gnss_1.SbasCorrection):
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.SbasCorrection`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -322,10 +322,10 @@ class SbasCorrection(gnss_1.SbasCorrection):
 class RfErrorDetection(gnss_1.RfErrorDetection):
     """RF error detection (0x95,0x14).
 
-    Jamming and spoofing as the receiver detects them in one band.
+    Jamming and spoofing that the receiver detects in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.RfErrorDetection`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -339,10 +339,10 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x95,0x20).
 
-    Where one satellite stands, and its health.
+    Direction to one satellite, and its health.
 
-    Has the layout of `gnss_1.SatelliteStatus`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.SatelliteStatus`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; index and count number the fields.
 
@@ -360,8 +360,8 @@ class Raw(gnss_1.Raw):
 
     Raw observation of one signal of one satellite.
 
-    Has the layout of `gnss_1.Raw`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Has the layout of `gnss_1.Raw`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     An epoch is sent as one field for each signal; index and count number the fields. The greatest
     lock time depends on the receiver.
@@ -380,8 +380,8 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    Has the layout of `gnss_1.BaseStationInfo`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.BaseStationInfo`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -395,10 +395,10 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x95,0x31).
 
-    Which corrections come, and how old they are.
+    Which corrections are received, and how old they are.
 
-    Has the layout of `gnss_1.RtkCorrectionsStatus`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.RtkCorrectionsStatus`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -414,10 +414,10 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Broadcast orbit and clock of one GPS satellite.
 
-    Has the layout of `gnss_1.GpsEphemeris`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.GpsEphemeris`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
-    `iodc` changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -433,8 +433,8 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. No device profile
-    lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -453,11 +453,12 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 
     Broadcast orbit and clock of one Galileo satellite.
 
-    Has the layout of `gnss_1.GalileoEphemeris`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GalileoEphemeris`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -473,11 +474,12 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
 
     Broadcast orbit and clock of one BeiDou satellite.
 
-    Has the layout of `gnss_1.BeidouEphemeris`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.BeidouEphemeris`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -493,8 +495,8 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. No device profile
-    lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -510,8 +512,8 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. No device
-    profile lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -527,8 +529,8 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. No device
-    profile lists it. Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. Not listed in
+    any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -539,7 +541,7 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
     NAME = "gnss_external_2.beidou_iono_correction"
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

@@ -20,7 +20,7 @@ _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 
 class PollEntry(Structure):
-    """A field that a poll asks for.
+    """A field requested by a poll.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -51,7 +51,7 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the message formats that are set.
+    """What happens to the existing message formats.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -61,7 +61,7 @@ class FactoryStreamingAction(codec.OpenEnum):
     MERGE = 1
     """The support fields are merged into the formats; the order may change."""
     ADD = 2
-    """The support fields are added behind the formats; fields may occur twice."""
+    """The support fields are appended to the formats; fields may occur twice."""
 
 
 class ConstellationId(codec.OpenEnum):
@@ -121,9 +121,9 @@ class ConstellationSettingsEntry(Structure):
     enable: int
     """1 switches it on, 0 off. Range: 0 to 1."""
     reserved_channels: int
-    """Channels that are kept for it. Unit: 1. Range: 0 to 32."""
+    """Channels reserved for it. Unit: 1. Range: 0 to 32."""
     max_channels: int
-    """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
+    """Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
     """Options."""
 
@@ -171,7 +171,7 @@ class SbasOptions(IntFlag):
     """
 
     ENABLE_RANGING = 1 << 0
-    """SBAS pseudoranges take part in the position solution. Bit 0."""
+    """SBAS pseudoranges are used in the position solution. Bit 0."""
     ENABLE_CORRECTIONS = 1 << 1
     """SBAS differential corrections are applied. Bit 1."""
     APPLY_INTEGRITY = 1 << 2
@@ -209,7 +209,7 @@ class PpsSource(codec.OpenEnum):
 
 
 class EventSupportQuery(codec.OpenEnum):
-    """Which part of the event system is asked about.
+    """The part of the event system that is queried.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -235,7 +235,7 @@ class EventSupportInfo(Structure):
     type: int
     """Type of triggers, or of actions."""
     count: int
-    """Instances of this type at most. Unit: 1."""
+    """Maximum number of instances of this type. Unit: 1."""
 
     def __init__(self, type: int, count: int) -> None:
         self.type = type
@@ -387,7 +387,7 @@ class SensorRangeEntry(Structure):
 
 
 class DeviceStatusSelector(codec.OpenEnum):
-    """How much a device status tells.
+    """Level of detail of a device status.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -434,7 +434,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -479,7 +479,7 @@ class GnssMessageFormatResponse(Response):
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
@@ -526,7 +526,7 @@ class FilterMessageFormatResponse(Response):
     NAME = "3dm.filter_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -598,8 +598,8 @@ class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK
-    only.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -658,7 +658,7 @@ class DataStreamControlResponse(Response):
     _LAYOUT = (("descriptor_set", "B", None), ("enabled", "B", codec.truth))
 
     descriptor_set: int
-    """Stream of the command.
+    """Stream given in the command.
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
       3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
@@ -804,10 +804,9 @@ class ImuLowPassFilterResponse(Response):
     enable: bool
     """Whether the quantity is filtered. Default: true."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format. Default: false.
-    """
+    """True uses `frequency`; false uses half the rate of the message format. Default: false."""
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
+    """Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz."""
     reserved: int
     """Reserved."""
 
@@ -857,7 +856,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -906,9 +905,9 @@ class GetBaseRateResponse(Response):
     _LAYOUT = (("descriptor_set", "B", None), ("rate", "H", None))
 
     descriptor_set: int
-    """Data descriptor set of the command."""
+    """Data descriptor set given in the command."""
     rate: int
-    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz."""
 
     def __init__(self, descriptor_set: int, rate: int) -> None:
         self.descriptor_set = descriptor_set
@@ -948,7 +947,7 @@ class MessageFormatResponse(Response):
 
     descriptor_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -985,8 +984,8 @@ class DeviceStatusBasicResponse(Response):
 
     State and timer.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusBasicWithoutStateResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` by the size
+    of its data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
@@ -1007,7 +1006,7 @@ class DeviceStatusBasicResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Basic status. Always 1.
+    # On the wire only: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1055,15 +1054,15 @@ _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_1 = codec.Block("II", "status_flags"
 class DeviceStatusBasicWithoutStateResponse(Response):
     """Basic Device Status without a state (0x0C,0x90).
 
-    Timer alone.
+    Timer only.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusBasicResponse` by the size of its data. Sent if
-    `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` by the size of its data.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
     3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
     3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has
     it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual
-    of the 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the layout
+    of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the layout
     with a state for that device.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -1082,7 +1081,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Basic status. Always 1.
+    # On the wire only: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -1142,7 +1141,7 @@ class DeviceStatusDiagnosticResponse(Response):
 
     State and timer with the counters of streams and port.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticGnssResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
@@ -1198,7 +1197,7 @@ class DeviceStatusDiagnosticResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1360,16 +1359,16 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     State and timer with the counters of pulses, streams, port and receiver.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
-    Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that
-    of a manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and
-    times in ms from the system timer.
+    Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from
+    a manual. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
+    times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1435,7 +1434,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1654,17 +1653,17 @@ _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1 = codec.Block(
 class DeviceStatusDiagnosticGq4_45Response(Response):
     """Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
 
-    The layout with GNSS, and what could not be started.
+    The layout with GNSS, plus what could not be started.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
-    Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
-    descriptions follow from the names, and times in ms from the system timer.
+    Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+    follow from the names, and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1736,7 +1735,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1976,17 +1975,17 @@ _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1 = codec.Block(
 class DeviceStatusDiagnosticRq1_45Response(Response):
     """Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
 
-    The layout with GNSS, and the temperature.
+    The layout with GNSS, plus the temperature.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
-    Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
-    descriptions follow from the names, and times in ms from the system timer.
+    Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+    follow from the names, and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2058,7 +2057,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -2070,7 +2069,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     cold_start_on_power_on: int
     """Whether the receiver starts cold at power-on."""
     temperature: float
-    """Of the board. Unit: degC. Uncertain: The unit is inferred."""
+    """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
     """System timer at the last temperature. Unit: ms."""
     pps_count: int
@@ -2294,16 +2293,16 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer with the counters of pulses, streams, port and USB.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticImuResponse` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
     supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
-    3DM-GX5-25. Uncertain: No manual is known that prints it for these devices; the offsets 49 to 69
-    of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the values only; the descriptions follow
-    from the names, and times in ms from the system timer.
+    3DM-GX5-25. Uncertain: No known manual gives it for these devices; the offsets 49 to 69 in the
+    manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow
+    from the names, and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2363,7 +2362,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -2555,18 +2554,19 @@ _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1 = codec.Block(
 class DeviceStatusDiagnosticImuResponse(Response):
     """Diagnostic Device Status of an IMU (0x0C,0x90).
 
-    Timer with the sensors that there are, temperature, and the counters of pulses, stream and port.
+    Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticGx4Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
     supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
-    3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is
-    known that prints it. Uncertain: MSCL names the values only; the descriptions follow from the
-    names, and times in ms from the system timer. Uncertain: The units of the ranges are open.
+    3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
+    manual gives it. Uncertain: MSCL only names the values; the descriptions follow from the names,
+    and the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges
+    are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2625,7 +2625,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -2643,7 +2643,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     reserved: int
     """Reserved."""
     temperature: float
-    """Of the board. Unit: degC. Uncertain: The unit is inferred."""
+    """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
     """System timer at the last temperature. Unit: ms."""
     temperature_error: int
@@ -3113,9 +3113,9 @@ class ConstellationSettingsResponse(Response):
     max_channels_available: int
     """Channels that the receiver has. Unit: 1."""
     max_channels_use: int
-    """Channels in use at most. Unit: 1."""
-    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
-    # to 41.
+    """Maximum number of channels in use. Unit: 1."""
+    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
+    # Range: 0 to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
 
@@ -3178,8 +3178,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
-    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
-    # elements of `included_prns`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
+    # number of elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -3220,8 +3220,8 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from
-    the MicroStrain MIP SDK only.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3264,7 +3264,7 @@ class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
     Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -3496,10 +3496,10 @@ class GetEventSupportResponse(Response):
     ROLE = "response"
 
     query: EventSupportQuery
-    """Query of the command."""
+    """Query given in the command."""
     max_instances: int
     """Number of slots; instances go from 1 to this. Unit: 1."""
-    # On the wire: num_entries. Number of types. The number of elements of `entries`.
+    # On the wire only: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
     """The types.
 
@@ -3597,9 +3597,9 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
-    # On the wire: count. Number of entries. The number of elements of `triggers`.
+    # On the wire only: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
-    """One entry per trigger, in the order asked for, or by instance if all were asked for."""
+    """One entry per trigger, in the requested order, or by instance if all were requested."""
 
     def __init__(self, triggers: tuple[EventTriggerStatusEntry, ...]) -> None:
         self.triggers = triggers
@@ -3642,9 +3642,9 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
-    # On the wire: count. Number of entries. The number of elements of `actions`.
+    # On the wire only: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
-    """One entry per action, in the order asked for, or by instance if all were asked for."""
+    """One entry per action, in the requested order, or by instance if all were requested."""
 
     def __init__(self, actions: tuple[EventActionStatusEntry, ...]) -> None:
         self.actions = actions
@@ -3858,7 +3858,7 @@ class GpioConfigResponse(Response):
     feature: types.GpioFeature
     """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
-    """Role of the pin within the feature; 0 where the feature names none.
+    """Role of the pin within the feature; 0 if the feature has no roles.
 
     - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
     - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
@@ -3958,8 +3958,8 @@ class OdometerConfigResponse(Response):
     mode: OdometerMode
     """How the input works."""
     scaling: float
-    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
-    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Pulses
+    on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
@@ -4046,8 +4046,8 @@ class GetCalibratedSensorRangesResponse(Response):
     ROLE = "response"
 
     sensor: SensorRangeType
-    """Sensor of the command."""
-    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
+    """Sensor given in the command."""
+    # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges.
 
@@ -4117,9 +4117,10 @@ class LowPassFilterResponse(Response):
     enable: bool
     """Whether the field is filtered."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the field in the message format."""
+    """True uses `frequency`; false uses half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
+    """Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
+    """
 
     def __init__(
         self,
@@ -4159,14 +4160,15 @@ _POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
 
-    Asks for one sensor data packet (0x80) with the fields listed, in their order.
+    Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-GX5-45.
 
-    An empty list polls the stored message format; without one the device refuses. Descriptors that
-    the device does not know are ignored. The data comes in a packet of its own behind the reply.
+    An empty list polls the stored message format; if none is stored, the device refuses the
+    command. Descriptors that the device does not know are ignored. The data is sent in a separate
+    packet after the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -4181,7 +4183,7 @@ class PollImuData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
@@ -4219,15 +4221,15 @@ _POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
 
-    Asks for one GNSS data packet with the fields listed, in their order.
+    Requests one GNSS data packet with the listed fields, in the listed order.
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
-    An empty list polls what `GnssMessageFormat` has stored; without that the device refuses.
-    Descriptors that the device does not know are left out. The data comes in a packet of its own
-    behind the reply.
+    An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
+    refuses the command. Descriptors that the device does not know are omitted. The data is sent in
+    a separate packet after the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
@@ -4242,11 +4244,11 @@ class PollGnssData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-    not say what a poll does with it.
+    not say how a poll uses it.
     """
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
@@ -4283,13 +4285,14 @@ _POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
 
-    Asks for one filter data packet (0x82) with the fields listed, in their order.
+    Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    An empty list polls the stored message format; without one the device refuses. Descriptors that
-    the device does not know are ignored. The data comes in a packet of its own behind the reply.
+    An empty list polls the stored message format; if none is stored, the device refuses the
+    command. Descriptors that the device does not know are ignored. The data is sent in a separate
+    packet after the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -4304,7 +4307,7 @@ class PollFilterData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
@@ -4342,14 +4345,14 @@ _POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
 class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
 
-    Asks for the NMEA sentences listed, once.
+    Requests the listed NMEA sentences once.
 
     Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
-    An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
-    the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
-    sentence is sent only if its data is valid.
+    An empty list polls the stored NMEA format; if none is stored, the device refuses the command.
+    The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA
+    is disabled there. A sentence is sent only if its data is valid.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -4364,7 +4367,7 @@ class PollNmeaData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
@@ -4401,7 +4404,7 @@ class PollNmeaData(Command[None]):
 class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
-    Asks for the rate that the decimations of the IMU message format divide.
+    Gets the rate that is divided by the decimations of the IMU message format.
 
     Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
@@ -4428,11 +4431,11 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
-    Asks for the rate that the decimations of the GNSS message format divide.
+    Gets the rate that is divided by the decimations of the GNSS message format.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
-    MIP SDK only.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -4468,8 +4471,8 @@ class ImuMessageFormat(Command[R]):
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate. The list replaces the one before. If any descriptor is unknown the device
-    refuses and changes nothing.
+    the wanted rate. The list replaces the previous one. If any descriptor is unknown, the device
+    refuses the command and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -4486,7 +4489,7 @@ class ImuMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4508,7 +4511,7 @@ class ImuMessageFormat(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[ImuMessageFormatResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4602,7 +4605,7 @@ class GnssMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4624,7 +4627,7 @@ class GnssMessageFormat(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[GnssMessageFormatResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4700,8 +4703,8 @@ class FilterMessageFormat(Command[R]):
     and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
-    device refuses and changes nothing.
+    divided by the wanted rate. The list replaces the previous one. If any descriptor is unknown,
+    the device refuses the command and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -4718,7 +4721,7 @@ class FilterMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4742,7 +4745,7 @@ class FilterMessageFormat(Command[R]):
     def read(
         cls: ClassOf[FilterMessageFormat[Any]],
     ) -> FilterMessageFormat[FilterMessageFormatResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4806,7 +4809,7 @@ class FilterMessageFormat(Command[R]):
 class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
-    Asks for the rate that the decimations of the estimation filter message format divide.
+    Gets the rate that is divided by the decimations of the estimation filter message format.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -4861,8 +4864,8 @@ class NmeaMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
-    # for `write`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
+    # Required for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None
     """Sentences to stream. Required for `write`."""
 
@@ -4883,7 +4886,7 @@ class NmeaMessageFormat(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[NmeaMessageFormatResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -4952,13 +4955,14 @@ _POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descrip
 class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
-    Asks for one data packet of the descriptor set with the fields listed, in their order.
+    Requests one data packet of the descriptor set with the listed fields, in the listed order.
 
     Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 
-    An empty list polls the stored message format; without one the device refuses. Descriptors that
-    the device does not know are ignored. The data comes in a packet of its own behind the reply, on
-    the port of the command. Shared descriptors (0xD0 and up) belong in front of the others.
+    An empty list polls the stored message format; if none is stored, the device refuses the
+    command. Descriptors that the device does not know are ignored. The data is sent in a separate
+    packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before
+    the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -4975,7 +4979,7 @@ class PollData(Command[None]):
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
@@ -5020,7 +5024,7 @@ _GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
-    Asks for the rate that the decimations of a descriptor set divide.
+    Gets the rate that is divided by the decimations of a descriptor set.
 
     Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -5070,8 +5074,8 @@ class MessageFormat(Command[R]):
     Supported by 3DM-CV7-GNSS/INS.
 
     The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate. Shared descriptors (0xD0 and up) are listed under the set that they shall be sent
-    with, in front of the others.
+    wanted rate. List shared descriptors (0xD0 and up) under the set whose packets will contain
+    them, before the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -5090,7 +5094,7 @@ class MessageFormat(Command[R]):
     """What to do with the setting."""
     descriptor_set: int | None
     """Data descriptor set; 0 means all of them (save, load, default)."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -5118,7 +5122,7 @@ class MessageFormat(Command[R]):
     def read(
         cls: ClassOf[MessageFormat[Any]], descriptor_set: int
     ) -> MessageFormat[MessageFormatResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
@@ -5194,7 +5198,7 @@ _FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
 class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
-    Sets all message formats to those that technical support wants to have recorded.
+    Sets all message formats to those that technical support needs in a recording.
 
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -5211,7 +5215,7 @@ class FactoryStreaming(Command[None]):
     _LAYOUT = (("action", "B", FactoryStreamingAction), ("reserved", "B", None))
 
     action: FactoryStreamingAction
-    """What happens to the present formats."""
+    """What happens to the existing formats."""
     reserved: int
     """Reserved: send 0."""
 
@@ -5250,7 +5254,7 @@ class DataStreamControl(Command[R]):
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
-    5-series devices name the stream by a number of their own (`LegacyDataStream`), others by its
+    5-series devices identify the stream by a number (`LegacyDataStream`), other devices by its
     descriptor set.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
@@ -5302,7 +5306,7 @@ class DataStreamControl(Command[R]):
     def read(
         cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
     ) -> DataStreamControl[DataStreamControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
@@ -5380,15 +5384,15 @@ class ConstellationSettings(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
-    3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS alone as
-    enabled but has channels for SBAS and QZSS too.
+    3DM-GX5-45. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but
+    gives channels for SBAS and QZSS too.
 
-    The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
-    channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
-    filter is made for GPS alone, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy
-    of GPS. SBAS does not make the device fit for safety-of-life use. Factory default: GPS and
-    GLONASS are enabled. Channels reserved and at most: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and
-    3, QZSS 0 and 3.
+    The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
+    must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used
+    together. If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off. SBAS
+    and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for safety-of-life
+    use. Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16,
+    GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -5407,11 +5411,11 @@ class ConstellationSettings(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     max_channels: int | None
-    """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
-    Required for `write`.
+    """Maximum number of tracking channels in use; at most the number that the response reports as
+    available. Unit: 1. Required for `write`.
     """
-    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
-    # to 41. Required for `write`.
+    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
+    # Range: 0 to 41. Required for `write`.
     settings: tuple[ConstellationSettingsEntry, ...] | None
     """One entry for each constellation. Required for `write`."""
 
@@ -5438,7 +5442,7 @@ class ConstellationSettings(Command[R]):
     def read(
         cls: ClassOf[ConstellationSettings[Any]],
     ) -> ConstellationSettings[ConstellationSettingsResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5551,8 +5555,8 @@ class GnssSbasSettings(Command[R]):
 
     - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
     """
-    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
-    # elements of `included_prns`. Required for `write`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
+    # number of elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None
     """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
@@ -5585,7 +5589,7 @@ class GnssSbasSettings(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[GnssSbasSettingsResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5674,16 +5678,17 @@ _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
-    Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+    Whether the GNSS receiver keeps the data of its last fix and starts from it at the next
+    power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
-    enabled to none erases the flash memory of the receiver, which stands 100 000 erasures. It takes
-    slightly more power.
+    enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures.
+    The power consumption is slightly higher.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -5730,7 +5735,7 @@ class GnssAssistedFix(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[GnssAssistedFixResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -5807,10 +5812,10 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
-    Tells the GNSS receiver the present GPS time.
+    Gives the GNSS receiver the current GPS time.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -5859,7 +5864,7 @@ class GnssTimeAssistance(Command[R]):
     def read(
         cls: ClassOf[GnssTimeAssistance[Any]],
     ) -> GnssTimeAssistance[GnssTimeAssistanceResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @property
@@ -5930,8 +5935,8 @@ class PpsSourceControl(Command[R]):
     `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
     3DM-CV7-AR.
 
-    The pins are configured apart from this by the GPIO configuration command. The filter needs a
-    valid pulse. disabled and generated are seldom what is wanted.
+    The pins are configured separately, by the GPIO configuration command. The filter needs a valid
+    pulse; `disabled` and `generated` are rarely useful.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -5966,7 +5971,7 @@ class PpsSourceControl(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[PpsSourceControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6026,7 +6031,7 @@ _GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
-    Asks which types of event triggers or actions there are and how many of each.
+    Gets the types of event triggers or actions that the device has, and how many of each.
 
     Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -6117,7 +6122,7 @@ class EventControl(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[EventControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
@@ -6186,7 +6191,7 @@ _GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
 class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
-    Asks for the type and the state of event triggers.
+    Gets the type and the state of event triggers.
 
     Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -6202,8 +6207,8 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
-    # On the wire: requested_count. Number of triggers asked for; 0 asks for all slots. The number
-    # of elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The
+    # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -6238,7 +6243,7 @@ _GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
 class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
-    Asks for the type and the trigger of event actions.
+    Gets the type and the trigger of event actions.
 
     Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -6254,8 +6259,8 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
-    # On the wire: requested_count. Number of actions asked for; 0 asks for all slots. The number of
-    # elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested actions; 0 requests all slots. The
+    # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -6367,7 +6372,7 @@ class EventTriggerConfig(Command[R]):
     def read(
         cls: ClassOf[EventTriggerConfig[Any]], instance: int
     ) -> EventTriggerConfig[EventTriggerConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
@@ -6547,7 +6552,7 @@ class EventActionConfig(Command[R]):
     def read(
         cls: ClassOf[EventActionConfig[Any]], instance: int
     ) -> EventActionConfig[EventActionConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
@@ -6719,12 +6724,12 @@ class SensorToVehicleTransformEuler(Command[R]):
     `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
     and 3DM-GQ7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. The mounting is reached from the vehicle frame by turning about the
-    sensor's own z, y and x axes by yaw, pitch and roll. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll)
-    * v_sensor` It applies to the sensor data, the complementary filter and the attitude,
-    acceleration, rate and gravity of the filter. A change resets the low-pass filters, the
-    complementary filter and the estimation filter. On some older products the setting means the
+    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+    back may be another form of it. Starting in line with the vehicle frame, the sensor is rotated
+    by yaw, pitch and roll about its own z, y and x axes, in this order. `v_vehicle = Rz(yaw) *
+    Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data, the complementary filter and the
+    attitude, acceleration, rate and gravity of the filter. A change resets the low-pass filters,
+    the complementary filter and the estimation filter. On some older devices the setting is the
     inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
@@ -6772,7 +6777,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleTransformEuler[Any]],
     ) -> SensorToVehicleTransformEuler[SensorToVehicleTransformEulerResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6864,9 +6869,9 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
     3DM-CV7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with
-    the scalar part 0. This is the inverse of the quaternion that
+    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+    back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are
+    quaternions with the scalar part 0. This is the inverse of the quaternion that
     `filter.SensorToVehicleRotationQuaternion` takes. A change resets the low-pass filters, the
     complementary filter and the estimation filter.
 
@@ -6908,7 +6913,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
     ) -> SensorToVehicleTransformQuaternion[SensorToVehicleTransformQuaternionResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -6981,9 +6986,9 @@ class SensorToVehicleTransformDcm(Command[R]):
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
-    `filter.SensorToVehicleRotationDcm` takes. A change resets the low-pass filters, the
+    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+    back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix
+    that `filter.SensorToVehicleRotationDcm` takes. A change resets the low-pass filters, the
     complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -7024,7 +7029,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     def read(
         cls: ClassOf[SensorToVehicleTransformDcm[Any]],
     ) -> SensorToVehicleTransformDcm[SensorToVehicleTransformDcmResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7132,7 +7137,7 @@ class AccelBias(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[AccelBias[Any]]) -> AccelBias[AccelBiasResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7249,7 +7254,7 @@ class GyroBias(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GyroBias[Any]]) -> GyroBias[GyroBiasResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7318,15 +7323,16 @@ _CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
 
-    Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+    Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
     Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
-    The device must stand still, with as little vibration as possible, for the whole time. The reply
-    comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
-    with save does it. The 3DM-GX5-15 also initializes its orientation from the samples.
+    The device must be at rest, with as little vibration as possible, for the whole time. The reply
+    comes after the averaging time. The bias is not saved; to save it, use the gyroscope bias
+    configuration command with save. The 3DM-GX5-15 also initializes its orientation from the
+    samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -7419,7 +7425,7 @@ class MagHardIronOffset(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[MagHardIronOffsetResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7540,7 +7546,7 @@ class MagSoftIronMatrix(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[MagSoftIronMatrixResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7650,7 +7656,7 @@ class ConingScullingEnable(Command[R]):
     def read(
         cls: ClassOf[ConingScullingEnable[Any]],
     ) -> ConingScullingEnable[ConingScullingEnableResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7718,10 +7724,10 @@ class UartBaudRate(Command[R]):
     by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
-    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
-    3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
-    certain. Set the device to idle first, send the command in a packet of its own and wait 250 ms
-    afterwards.
+    The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
+    3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and
+    data may be lost. Set the device to idle first, send the command in a separate packet, and wait
+    250 ms afterwards.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -7756,7 +7762,7 @@ class UartBaudRate(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[UartBaudRateResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -7832,10 +7838,10 @@ class GpioConfig(Command[R]):
     Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
     3DM-GQ7-GNSS/INS.
 
-    Not every pin has every feature. Configure the function behind an output before its pin, and the
-    pin of an input before its function. A configuration that only one pin can have passes to the
-    latest pin; the earlier pin is reset. With NMEA input at most one pin may be a UART input; set
-    it to unused before another one takes over.
+    Not every pin has every feature. For an output, configure the function first, then the pin; for
+    an input, configure the pin first, then the function. A configuration that only one pin can have
+    moves to the last pin configured; the earlier pin is reset. With NMEA input at most one pin may
+    be a UART input; set it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -7857,7 +7863,7 @@ class GpioConfig(Command[R]):
     feature: types.GpioFeature | None
     """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
     behavior: int | None
-    """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
+    """Role of the pin within the feature; 0 if the feature has no roles. Required for `write`.
 
     - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
     - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
@@ -7898,7 +7904,7 @@ class GpioConfig(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[GpioConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
@@ -7992,10 +7998,10 @@ class GpioState(Command[R]):
 
     Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    What is read is the level of the pin itself. Writing shows only on a pin that is configured as
-    an output. An event action of mode `active_high` or `active_low` on the pin overrides what is
-    written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
-    of the GPIO configuration command.
+    A read returns the level of the pin itself. A write has an effect only on a pin that is
+    configured as an output. An event action of mode `active_high` or `active_low` on the pin
+    overrides the written state. Reading is guaranteed to work only with the gpio feature. The GPIO
+    configuration command determines the state at power-up.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -8031,7 +8037,7 @@ class GpioState(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[GpioState[Any]], pin: int) -> GpioState[GpioStateResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @property
@@ -8116,7 +8122,7 @@ class OdometerConfig(Command[R]):
     mode: OdometerMode | None
     """How the input works. Required for `write`."""
     scaling: float | None
-    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
     the wheel.
     """
@@ -8144,7 +8150,7 @@ class OdometerConfig(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[OdometerConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8273,11 +8279,11 @@ class ImuLowPassFilter(Command[R]):
     enable: bool | None
     """Whether the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None
-    """True uses the frequency; false follows half the rate of the message format. Default: false.
+    """True uses `frequency`; false uses half the rate of the message format. Default: false.
     Required for `write`.
     """
     frequency: int | None
-    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
+    """Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for `write`.
 
     - On the 3DM-GX5-15: range at most 250.
     """
@@ -8322,7 +8328,7 @@ class ImuLowPassFilter(Command[R]):
     def read(
         cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
     ) -> ImuLowPassFilter[ImuLowPassFilterResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
@@ -8430,16 +8436,17 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
-    Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+    Corrections of the complementary filter, which computes the attitude independently of the
+    estimation filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
     3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
     3DM-GX5-10 and 3DM-GX5-45.
 
-    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
-    heading follows the magnetometer, if the device has one. The device refuses time constants out
-    of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+    Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
+    The heading follows the magnetometer, if the device has one. The device refuses time constants
+    out of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
@@ -8526,7 +8533,7 @@ class ComplementaryFilter(Command[R]):
     def read(
         cls: ClassOf[ComplementaryFilter[Any]],
     ) -> ComplementaryFilter[ComplementaryFilterResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -8627,8 +8634,8 @@ class SensorRange(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The get calibrated sensor ranges command lists the settings. The device may refuse others or
-    measure wrongly.
+    The get calibrated sensor ranges command lists the settings. The device may refuse other
+    settings, or measure incorrectly with them.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -8671,7 +8678,7 @@ class SensorRange(Command[R]):
     def read(
         cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType
     ) -> SensorRange[SensorRangeResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, sensor=sensor)
 
     @classmethod
@@ -8740,7 +8747,7 @@ _GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
 class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
-    Asks for the ranges that a sensor supports.
+    Gets the ranges that a sensor supports.
 
     Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
     Supported by 3DM-CV7-GNSS/INS.
@@ -8800,7 +8807,8 @@ class LowPassFilter(Command[R]):
     by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
     3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
-    Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+    Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
+    are meant.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -8831,11 +8839,11 @@ class LowPassFilter(Command[R]):
     enable: bool | None
     """Whether the field is filtered. Required for `write`."""
     manual: bool | None
-    """True uses the frequency; false follows half the rate of the field in the message format.
-    Required for `write`.
+    """True uses `frequency`; false uses half the rate of the field in the message format. Required
+    for `write`.
     """
     frequency: float | None
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+    """Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
     Required for `write`.
     """
 
@@ -8878,7 +8886,7 @@ class LowPassFilter(Command[R]):
     def read(
         cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
     ) -> LowPassFilter[LowPassFilterResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(
             FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
@@ -9001,7 +9009,7 @@ class DeviceStatus(
 ):
     """Device Status (0x0C,0x64).
 
-    Asks for the state of the device, in short or with counters.
+    Gets the state of the device, in basic form or with counters.
 
     For advanced use. Answered by `DeviceStatusBasicResponse`,
     `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`,
@@ -9012,8 +9020,8 @@ class DeviceStatus(
     3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
 
-    The device expects its own model number, which `base.GetDeviceInfo` tells. Families of devices
-    answer in layouts of their own. The selector and the length tell them apart.
+    The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
+    answer in different layouts. The selector and the length distinguish them.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -9041,14 +9049,14 @@ class DeviceStatus(
     _LAYOUT = (("model_number", "H", None), ("status_selector", "B", DeviceStatusSelector))
 
     model_number: int
-    """Model number of the device that is asked.
+    """Model number of the device that answers.
 
     - On the 3DM-GX5-15: always 6254.
     - On the 3DM-GX5-35: always 6252.
     - On the 3DM-GX5-45: always 6251.
     """
     status_selector: DeviceStatusSelector
-    """How much the answer tells."""
+    """Level of detail of the answer."""
 
     def __init__(self, model_number: int, status_selector: DeviceStatusSelector) -> None:
         self.model_number = model_number
@@ -9129,7 +9137,7 @@ SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassFilterResponse.COMMANDS = (LowPassFilter,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
     0x02: (PollGnssData,),

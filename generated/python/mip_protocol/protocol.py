@@ -1,4 +1,4 @@
-"""What is the same in every command set: function selectors and the acknowledge field."""
+"""Common to all command sets: function selectors and the acknowledge field."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class FunctionSelector(codec.OpenEnum):
     WRITE = 1
     """Apply the new setting."""
     READ = 2
-    """Send the current setting back in a response."""
+    """Return the current setting in a response."""
     SAVE = 3
     """Save the current setting to non-volatile memory."""
     LOAD = 4
@@ -51,7 +51,7 @@ class Acknowledge(Shared, Response):
     command: int
     """Descriptor of the command that is answered."""
     code: types.AckCode
-    """Zero acknowledges, any other value refuses."""
+    """0 if the command is acknowledged, else the reason why it is refused."""
 
     def __init__(self, command: int, code: types.AckCode) -> None:
         self.command = command

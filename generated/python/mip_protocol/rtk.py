@@ -76,7 +76,7 @@ _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    Answers `GetStatusFlags`. Known from the MicroStrain MIP SDK only.
+    Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -111,7 +111,7 @@ class GetStatusFlagsResponse(Response):
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
-    Answers `GetImei`. Known from the MicroStrain MIP SDK only.
+    Answers `GetImei`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
@@ -145,7 +145,7 @@ class GetImeiResponse(Response):
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
-    Answers `GetImsi`. Known from the MicroStrain MIP SDK only.
+    Answers `GetImsi`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -179,7 +179,7 @@ class GetImsiResponse(Response):
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
-    Answers `GetIccid`. Known from the MicroStrain MIP SDK only.
+    Answers `GetIccid`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
@@ -216,7 +216,7 @@ _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
-    Answers `GetRssi`. Known from the MicroStrain MIP SDK only. Uncertain: That `valid` vouches for
+    Answers `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies to
     the other values is inferred.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
@@ -263,7 +263,7 @@ _CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
-    Answers `ConnectedDeviceType`. Known from the MicroStrain MIP SDK only.
+    Answers `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -298,8 +298,8 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Also called `get_act_code_response`. Answers `GetActivationCode`. Known from the MicroStrain MIP
-    SDK only.
+    Also called `get_act_code_response`. Answers `GetActivationCode`. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -333,7 +333,7 @@ class GetActivationCodeResponse(Response):
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
-    Answers `GetModemFirmwareVersion`. Known from the MicroStrain MIP SDK only.
+    Answers `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -374,8 +374,8 @@ class ServiceStatusResponse(Response):
 
     What the server knows of the connection.
 
-    Answers `ServiceStatus`. Known from the MicroStrain MIP SDK only. Uncertain: What exactly the
-    counters count.
+    Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters
+    count.
 
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
@@ -431,10 +431,10 @@ class ServiceStatusResponse(Response):
 class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
-    Asks for the state of the modem and of the corrections.
+    Gets the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Answered by `GetStatusFlagsResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 
@@ -460,10 +460,10 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 class GetImei(Command[GetImeiResponse]):
     """Get IMEI (0x0F,0x02).
 
-    Asks for the identity of the modem.
+    Gets the identity of the modem.
 
-    Answered by `GetImeiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Answered by `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
@@ -487,10 +487,10 @@ class GetImei(Command[GetImeiResponse]):
 class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
 
-    Asks for the identity of the subscriber.
+    Gets the identity of the subscriber.
 
-    Answered by `GetImsiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Answered by `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -514,10 +514,10 @@ class GetImsi(Command[GetImsiResponse]):
 class GetIccid(Command[GetIccidResponse]):
     """Get ICCID (0x0F,0x04).
 
-    Asks for the number of the SIM card.
+    Gets the number of the SIM card.
 
-    Answered by `GetIccidResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Answered by `GetIccidResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
@@ -541,10 +541,10 @@ class GetIccid(Command[GetIccidResponse]):
 class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
 
-    Asks for the strength of the cellular signal.
+    Gets the strength of the cellular signal.
 
-    Answered by `GetRssiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Answered by `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
@@ -576,8 +576,8 @@ class ConnectedDeviceType(Command[R]):
     The device that the modem serves.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConnectedDeviceTypeResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    `ConnectedDeviceTypeResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -614,7 +614,7 @@ class ConnectedDeviceType(Command[R]):
     def read(
         cls: ClassOf[ConnectedDeviceType[Any]],
     ) -> ConnectedDeviceType[ConnectedDeviceTypeResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -671,10 +671,10 @@ class ConnectedDeviceType(Command[R]):
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
-    Asks for the activation code.
+    Gets the activation code.
 
-    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -698,10 +698,10 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     """Get modem firmware version (0x0F,0x08).
 
-    Asks for the firmware version of the cellular modem.
+    Gets the firmware version of the cellular modem.
 
-    Answered by `GetModemFirmwareVersionResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Answered by `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -728,10 +728,10 @@ _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 class ServiceStatus(Command[ServiceStatusResponse]):
     """Service status (0x0F,0x0A).
 
-    Asks a correction server about the connection, and so keeps it open.
+    Queries a correction server about the connection, which also keeps it open.
 
-    Answered by `ServiceStatusResponse`. The device sends it, and the host answers. No device
-    profile lists it. Known from the MicroStrain MIP SDK only.
+    Answered by `ServiceStatusResponse`. Sent by the device; the host answers. Not listed in any
+    device profile. Known only from the MicroStrain MIP SDK.
 
     The modem sends it as a host would, and the server answers as a device would.
 
@@ -778,10 +778,10 @@ class EraseStorage(Command[None]):
 
     Erases a storage medium down to its raw state.
 
-    For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
-    All that is stored is lost. The command is for production. Accepted in calibration mode only.
+    All stored data is lost. The command is for production. Accepted in calibration mode only.
 
     - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
     """
@@ -823,7 +823,7 @@ class LedControl(Command[None]):
 
     Colours and pattern of the LED.
 
-    For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Accepted in calibration mode and production test mode only.
 
@@ -890,9 +890,9 @@ class ModemHardReset(Command[None]):
 
     Clears the flash memory of the modem.
 
-    For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    It wears the flash memory out; use it rarely. Accepted in calibration mode only.
+    It wears out the flash memory; use it rarely. Accepted in calibration mode only.
 
     - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
     """
@@ -922,7 +922,7 @@ GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
 GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
 ServiceStatusResponse.COMMANDS = (ServiceStatus,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (GetStatusFlags,),
     0x02: (GetImei,),

@@ -56,7 +56,7 @@ class RawAccel(Data):
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Accel (0x80,0x01)
     """
@@ -97,7 +97,7 @@ class RawGyro(Data):
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Gyro (0x80,0x02)
     """
@@ -138,7 +138,7 @@ class RawMag(Data):
 
     Raw magnetic field in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Mag (0x80,0x03)
     """
@@ -391,7 +391,7 @@ _COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
-    Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
+    Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
@@ -440,7 +440,7 @@ _COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
-    Attitude by the complementary filter as a quaternion, relative to the NED frame.
+    Attitude from the complementary filter as a quaternion, relative to the NED frame.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
@@ -488,11 +488,11 @@ _COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 class CompOrientationUpdateMatrix(Data):
     """Complementary filter orientation update matrix (0x80,0x0B).
 
-    Change of the attitude by the complementary filter as a matrix.
+    Change of the attitude from the complementary filter as a matrix.
 
-    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
-    the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The SDK
-    gives the name only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the change and the
+    frames. The SDK gives the name only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     """
@@ -531,7 +531,7 @@ _COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
 class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
-    Attitude by the complementary filter as Euler angles, relative to the NED frame.
+    Attitude from the complementary filter as Euler angles, relative to the NED frame.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
@@ -584,8 +584,9 @@ class OrientationRawTemperature(Data):
 
     Raw readings of four temperature sensors.
 
-    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`. No
-    device profile lists it. Known from the MicroStrain MIP SDK only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Also called
+    `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
@@ -600,8 +601,7 @@ class OrientationRawTemperature(Data):
     _LAYOUT = (("raw_temperature", "HHHH", tuple),)
 
     raw_temperature: tuple[int, int, int, int]
-    """Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
-    """
+    """Temperatures in counts. Unit: 1. Uncertain: The scale, and which sensor is which."""
 
     def __init__(self, raw_temperature: tuple[int, int, int, int]) -> None:
         self.raw_temperature = raw_temperature
@@ -628,8 +628,8 @@ class InternalTimestamp(Data):
 
     Free-running counter of the device.
 
-    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
-    the MicroStrain MIP SDK only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
     """
@@ -667,10 +667,10 @@ _PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
 class PpsTimestamp(Data):
     """PPS timestamp (0x80,0x0F).
 
-    Time that is counted with the pulse per second.
+    Time counted by the pulse per second.
 
-    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
-    the MicroStrain MIP SDK only. Uncertain: The epoch.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
 
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
@@ -805,10 +805,10 @@ class GpsTimestamp(Data):
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
-    Without a PPS the time runs on the internal clock and jumps when the PPS comes back. The
-    fraction of the time of week is the time since the last pulse. Without external synchronization
-    it is the internal system time. Where the device has it, use `shared.GpsTimestamp` instead; this
-    field may be deprecated.
+    Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction
+    of the time of week is the time since the last pulse. Without external synchronization it is the
+    internal system time. Where the device has it, use `shared.GpsTimestamp` instead; this field may
+    be deprecated.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -936,7 +936,7 @@ class RawPressure(Data):
 
     Raw ambient pressure in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Pressure (0x80,0x16)
     """
@@ -1055,7 +1055,7 @@ _ODOMETER_0 = codec.Block("ffH", "speed", "uncertainty", "valid_flags")
 class Odometer(Data):
     """Odometer data (0x80,0x40).
 
-    Speed by the wheel encoder.
+    Speed measured by the wheel encoder.
 
     Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -1105,7 +1105,7 @@ class Odometer(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (RawAccel,),
     0x02: (RawGyro,),

@@ -1,7 +1,7 @@
 """Shared data (0xFF).
 
-Fields that every data set can hold. No packet has this set: they come in packets of the other data
-sets.
+Fields that every data set can contain. No packet has this descriptor set: the fields are sent in
+packets of the other data sets.
 
 - 3dm-cv7-gnss-ins: Shared (0xFF)
 - 3dm-cv7-gnss-ins: Shared Data Descriptors
@@ -53,7 +53,7 @@ class EventSource(Shared, Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    Put it first in the format of event messages, to tell their packets from scheduled ones.
+    Put it first in the format of event messages, to distinguish their packets from scheduled ones.
 
     - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
     """
@@ -93,9 +93,9 @@ class Ticks(Shared, Data):
 
     Base periods since power-up.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has the
-    counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it
-    would take longer or shorter.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: According
+    to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
+    other rates it would take longer or shorter.
 
     One tick is one period of the base rate.
 
@@ -137,8 +137,8 @@ class DeltaTicks(Shared, Data):
 
     Base periods since this field was last sent.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each set
-    and each event instance counts for itself, as with `DeltaTime`.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
+    each set and each event instance counts separately, as with `DeltaTime`.
 
     One tick is one period of the base rate.
 
@@ -184,9 +184,9 @@ class GpsTimestamp(Shared, Data):
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
     `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
-    receiver as PPS source, the device sets the time by itself in most cases. With NMEA input, a ZDA
-    sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are
-    18 s since 2017. `base.GpsTimeUpdate` sets GPS time.
+    receiver as PPS source, the device usually sets the time itself. With NMEA input, a ZDA sentence
+    sets the time to UTC: the value is then behind GPS time by the leap seconds, which are 18 s
+    since 2017. `base.GpsTimeUpdate` sets GPS time.
 
     - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
     - 3dm-cv7-gnss-ins: Configure the External GNSS Receiver
@@ -460,7 +460,7 @@ class ExternalTimeDelta(Shared, Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0xD0: (EventSource,),
     0xD1: (Ticks,),

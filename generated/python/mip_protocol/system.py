@@ -1,6 +1,6 @@
 """System (0x7F).
 
-Advanced commands of devices that are built from several intelligent parts.
+Advanced commands of devices that consist of several intelligent parts.
 
 - 3dm-gx5-15: 4.4 System Commands
 """
@@ -56,14 +56,14 @@ class CommProtocols(IntFlag):
 
 
 class ProtocolMode(codec.OpenEnum):
-    """Which part of the device the host talks to, and in which protocol."""
+    """Which part of the device the host communicates with, and by which protocol."""
 
     STANDARD = 1
     """The device itself, MIP."""
     SENSOR_DIRECT = 2
-    """The inertial sensor inside, MIP."""
+    """The internal inertial sensor, MIP."""
     GNSS_DIRECT = 3
-    """The GNSS receiver inside, NMEA and UBX; only on models that have one."""
+    """The internal GNSS receiver, NMEA and UBX; only on models that have one."""
 
 
 _INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
@@ -94,11 +94,11 @@ class InterfaceControlResponse(Response):
     )
 
     port: CommInterface
-    """The port. Uncertain: Whether write and read take `all`."""
+    """The port. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols
-    """Protocols that it takes in."""
+    """Protocols that it receives."""
     protocols_outgoing: CommProtocols
-    """Protocols that it gives out."""
+    """Protocols that it sends."""
 
     def __init__(
         self,
@@ -178,7 +178,7 @@ _INTERFACE_CONTROL_GROUPS = (
 class InterfaceControl(Command[R]):
     """Interface control (0x7F,0x02).
 
-    Protocols that a port takes in and gives out.
+    Protocols that a port receives and sends.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `InterfaceControlResponse`. May be supported by 3DM-CV7-GNSS/INS.
@@ -186,8 +186,8 @@ class InterfaceControl(Command[R]):
     Accepted on the main port only. The main port always keeps MIP in both directions. The
     acknowledge comes on that port after the change; what arrives meanwhile may be lost. The device
     refuses protocols that it or the port does not have, and more parsers than it has; then nothing
-    is changed. Answers in an incoming protocol leave by the same port, even if the protocol is not
-    an outgoing one. How many parsers and streams there are depends on the device.
+    is changed. Answers to an incoming protocol are sent on the same port, even if the protocol is
+    not an outgoing one. How many parsers and streams there are depends on the device.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -206,11 +206,11 @@ class InterfaceControl(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     port: CommInterface | None
-    """The port. Uncertain: Whether write and read take `all`."""
+    """The port. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols | None
-    """Protocols that it takes in. Required for `write`."""
+    """Protocols that it receives. Required for `write`."""
     protocols_outgoing: CommProtocols | None
-    """Protocols that it gives out. Required for `write`."""
+    """Protocols that it sends. Required for `write`."""
 
     def __init__(
         self,
@@ -243,7 +243,7 @@ class InterfaceControl(Command[R]):
     def read(
         cls: ClassOf[InterfaceControl[Any]], port: CommInterface
     ) -> InterfaceControl[InterfaceControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
@@ -323,7 +323,7 @@ _COMM_MODE_GROUPS = ((1, ("mode",), False),)
 class CommMode(Command[R]):
     """Communication mode (0x7F,0x10).
 
-    Switches the port between the device and one of the sensors inside it.
+    Switches the port between the device and one of its internal sensors.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
@@ -363,7 +363,7 @@ class CommMode(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[CommMode[Any]]) -> CommMode[CommModeResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -420,7 +420,7 @@ class CommMode(Command[R]):
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)
 CommModeResponse.COMMANDS = (CommMode,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (InterfaceControl,),
     0x10: (CommMode,),

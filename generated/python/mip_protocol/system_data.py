@@ -131,8 +131,8 @@ class GpioState(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     A pulse that is shorter than the period at which the field is sent is missed. The pins are
-    sampled within one base period of this set. Only pins that are configured to the GPIO feature by
-    `mip_3dm.GpioConfig` are sure to give valid levels. For fast signals and exact times use the
+    sampled within one base period of this set. Levels are guaranteed to be valid only for pins that
+    `mip_3dm.GpioConfig` configures for the GPIO feature. For fast signals and exact times use the
     timestamp feature and the event system.
 
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
@@ -173,7 +173,7 @@ class GpioAnalogValue(Data):
 
     Voltage at one GPIO pin.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Only for pins that are configured as analog inputs.
 
@@ -211,7 +211,7 @@ class GpioAnalogValue(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),

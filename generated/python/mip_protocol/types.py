@@ -41,13 +41,13 @@ class Cv7BuiltInTest(IntFlag):
     """
 
     GENERAL_HARDWARE_FAULT = 1 << 0
-    """A vital part, such as the oscillator, has failed. Bit 0."""
+    """A critical part, such as the oscillator, has failed. Bit 0."""
     GENERAL_FIRMWARE_FAULT = 1 << 1
-    """The firmware met a serious or unexpected condition. Bit 1."""
+    """The firmware encountered a serious or unexpected condition. Bit 1."""
     TIMING_OVERLOAD = 1 << 2
     """The processor cannot keep up; cleared by reading the result. Bit 2."""
     BUFFER_OVERRUN = 1 << 3
-    """A data buffer was full, mostly because too much is streamed. Bit 3."""
+    """A data buffer was full, usually because too much data is streamed. Bit 3."""
     ACCEL_FAULT = 1 << 12
     """The accelerometer is damaged or does not work. Bit 12."""
     GYRO_FAULT = 1 << 13
@@ -59,11 +59,11 @@ class Cv7BuiltInTest(IntFlag):
     CALIBRATION_ERROR = 1 << 18
     """At least one calibration table of the sensors is invalid. Bit 18."""
     GENERAL_IMU_FAULT = 1 << 19
-    """A fault of the inertial sensor subsystem that no other bit names. Bit 19."""
+    """A fault of the inertial sensor subsystem that no other bit covers. Bit 19."""
     FILTER_SOLUTION_FAULT = 1 << 22
     """The filter output is invalid (not a number); reset the filter. Bit 22."""
     GENERAL_FILTER_FAULT = 1 << 23
-    """A fault of the filter subsystem that no other bit names. Bit 23."""
+    """A fault of the filter subsystem that no other bit covers. Bit 23."""
 
 
 @codec.open_flag(128)
@@ -79,31 +79,32 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     POWER_FAULT = 1 << 1
     """The supply voltage is out of range, or an internal supply has failed. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """The firmware met an unexpected condition. Bit 4."""
+    """The firmware encountered an unexpected condition. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
     """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
     """A data buffer was full and data may be lost. Bit 6."""
     IMU_PROCESS_FAULT = 1 << 16
-    """The inertial sensor subsystem does not run or did not start. Bit 16."""
+    """The inertial sensor subsystem is not running or did not start. Bit 16."""
     IMU_DATA_PROCESS_TIME_EXCEEDED = 1 << 17
     """The processing of sensor data took too long. Bit 17."""
     IMU_DATA_RATE_ERROR = 1 << 18
-    """Sensor data does not come at its base rate. Bit 18."""
+    """Sensor data is not produced at its base rate. Bit 18."""
     IMU_STALL = 1 << 19
     """The inertial sensor subsystem produces no data. Bit 19."""
     FILTER_PROCESS_FAULT = 0xF00000
-    """Any of these: the filter does not work normally. Bits 20 to 23. Overlaps other bits."""
+    """Any of these faults: the filter does not work normally. Bits 20 to 23. Overlaps other bits.
+    """
     FILTER_MAJOR_CYCLE_FAULT = 1 << 20
-    """Major cycle of the filter; bits 22 and 23 say what. Bit 20."""
+    """Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20."""
     FILTER_MINOR_CYCLE_FAULT = 1 << 21
-    """Minor cycle of the filter; bits 22 and 23 say what. Bit 21."""
+    """Fault of the minor cycle of the filter; bits 22 and 23 say which fault. Bit 21."""
     FILTER_DATA_RATE_ERROR = 1 << 22
     """A filter process misses its base rate; bits 20 and 21 say which. Bit 22."""
     FILTER_PROCESS_STALL = 1 << 23
     """A filter process produces no data; bits 20 and 21 say which. Bit 23."""
     GNSS_SUBSYSTEM_FAULT = 0xF000000
-    """Any of these: GNSS does not work normally. Bits 24 to 27. Overlaps other bits."""
+    """Any of these faults: GNSS does not work normally. Bits 24 to 27. Overlaps other bits."""
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
     """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
@@ -113,7 +114,7 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """Inertial sensor processes take longer than their time. Bit 34."""
+    """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
     """Fault of the accelerometer calibration. Bit 36."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
@@ -121,25 +122,25 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
     """Fault of the magnetometer calibration. Bit 38."""
     ACCEL_GENERAL_FAULT = 1 << 40
-    """The accelerometer does not initialize. Bit 40."""
+    """The accelerometer failed to initialize. Bit 40."""
     ACCEL_OVER_RANGE = 1 << 41
     """An axis is near or outside the selected range. Bit 41."""
     ACCEL_SELF_TEST_FAIL = 1 << 42
     """The self test failed; updated by the commanded test. Bit 42."""
     GYRO_GENERAL_FAULT = 1 << 44
-    """The gyroscope does not initialize. Bit 44."""
+    """The gyroscope failed to initialize. Bit 44."""
     GYRO_OVER_RANGE = 1 << 45
     """An axis is near or outside the selected range. Bit 45."""
     GYRO_SELF_TEST_FAIL = 1 << 46
     """The self test failed; updated by the commanded test. Bit 46."""
     MAG_GENERAL_FAULT = 1 << 48
-    """The magnetometer does not initialize. Bit 48."""
+    """The magnetometer failed to initialize. Bit 48."""
     MAG_OVER_RANGE = 1 << 49
     """An axis is near or outside the supported range. Bit 49."""
     MAG_SELF_TEST_FAIL = 1 << 50
     """The self test failed; updated by the commanded test. Bit 50."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor does not initialize. Bit 52."""
+    """The pressure sensor failed to initialize. Bit 52."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
     """The pressure is outside the supported range. Bit 53."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
@@ -147,17 +148,17 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FACTORY_BITS_INVALID = 1 << 56
     """The device has lost its factory configuration. Bit 56."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """Filter processes take longer than their time. Bit 66."""
+    """Filter processes take longer than their time slot. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
     """Filter processes are skipped. Bit 67."""
     RECEIVER_1_FAULT = 1 << 105
     """No communication with internal receiver 1. Bit 105."""
     RECEIVER_1_NO_SOLUTION = 1 << 108
-    """Internal receiver 1 has no valid solution; mostly no sky view. Bit 108."""
+    """Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108."""
     RECEIVER_2_FAULT = 1 << 110
     """No communication with internal receiver 2. Bit 110."""
     RECEIVER_2_NO_SOLUTION = 1 << 113
-    """Internal receiver 2 has no valid solution; mostly no sky view. Bit 113."""
+    """Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113."""
 
 
 class EventTriggerType(codec.OpenEnum):
@@ -193,20 +194,20 @@ class EventActionType(codec.OpenEnum):
 
 
 class EventTriggerMode(codec.OpenEnum):
-    """Whether an event trigger works.
+    """Operating mode of an event trigger.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
     """
 
     DISABLED = 0
-    """The trigger is never active; so it is after configuration."""
+    """The trigger is never active. This is its mode after configuration."""
     ENABLED = 1
-    """The trigger does what it is configured for."""
+    """The trigger works as configured."""
     TEST = 2
     """The trigger is active all the time."""
     TEST_PULSE = 3
-    """The trigger is active for one event cycle and then goes back to its earlier mode."""
+    """The trigger is active for one event cycle and then returns to its previous mode."""
 
 
 @codec.open_flag(8)
@@ -252,7 +253,7 @@ class EventThresholdType(codec.OpenEnum):
     WINDOW = 1
     """The value lies between two thresholds."""
     INTERVAL = 2
-    """The remainder of the value by an interval is at most a threshold."""
+    """The remainder of the value divided by an interval is at most a threshold."""
 
 
 class EventActionGpioMode(codec.OpenEnum):
@@ -263,7 +264,7 @@ class EventActionGpioMode(codec.OpenEnum):
     """
 
     DISABLED = 0
-    """The pin is left alone."""
+    """The pin is not changed."""
     ACTIVE_HIGH = 1
     """High while the trigger is active and low otherwise."""
     ACTIVE_LOW = 2
@@ -323,7 +324,7 @@ class EventThresholdWindow(Structure):
     """Lower threshold, in the unit of the watched value."""
     high_threshold: float
     """Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
-    is active outside of the window.
+    is active outside the window.
     """
 
     def __init__(self, low_threshold: float, high_threshold: float) -> None:
@@ -469,12 +470,12 @@ class EventTriggerCombination(Structure):
     __match_args__ = ("logic_table", "input_triggers")
 
     logic_table: int
-    """Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
-    inputs.
+    """Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the
+    four inputs.
     """
     input_triggers: tuple[int, int, int, int]
-    """Trigger instances for the inputs a to d; 0 is always inactive. An input may name the trigger
-    itself; it is then the output of the event cycle before.
+    """Trigger instances for the inputs a to d; 0 is always inactive. An input may be the trigger
+    itself; its value is then the output of the previous event cycle.
     """
 
     def __init__(self, logic_table: int, input_triggers: tuple[int, int, int, int]) -> None:
@@ -511,7 +512,7 @@ class EventActionGpio(Structure):
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
-    """What happens to the pin."""
+    """How the action controls the pin."""
 
     def __init__(self, pin: int, mode: EventActionGpioMode) -> None:
         self.pin = pin
@@ -546,10 +547,10 @@ class EventActionMessage(Structure):
     """Data descriptor set of the packet."""
     decimation: int
     """0 sends one packet per activation. Any other value streams while the trigger is active, at
-    the base rate of the descriptor set divided by it; a packet is sent at once, and the count
-    begins anew at each activation.
+    the base rate of the descriptor set divided by this value. At each activation, a packet is sent
+    immediately and the count restarts.
     """
-    # On the wire: num_fields. Number of fields in the packet. The number of elements of
+    # On the wire only: num_fields. Number of fields in the packet. The number of elements of
     # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
     """Field descriptors, in order."""
@@ -782,7 +783,7 @@ class GpioFeature(codec.OpenEnum):
     ENCODER = 3
     """Input of a motor encoder or odometer."""
     TIMESTAMP = 4
-    """Input whose edges get exact timestamps for event triggers."""
+    """Input whose edges get precise timestamps for event triggers."""
     UART = 5
     """Data or control line of a UART."""
 
@@ -809,7 +810,7 @@ class GpioPpsBehavior(codec.OpenEnum):
     """Behavior of a pin whose feature is pps."""
 
     INPUT = 1
-    """The pin receives the pulse; the PPS source must be gpio. One pin at most."""
+    """The pin receives the pulse; the PPS source must be gpio. At most one pin."""
     OUTPUT = 2
     """The pin sends the pulse of the device."""
 
@@ -818,9 +819,9 @@ class GpioEncoderBehavior(codec.OpenEnum):
     """Behavior of a pin whose feature is encoder."""
 
     A = 1
-    """Quadrature input A. One pin at most; the latest one configured has it."""
+    """Quadrature input A. At most one pin; the last one configured takes precedence."""
     B = 2
-    """Quadrature input B. One pin at most; the latest one configured has it."""
+    """Quadrature input B. At most one pin; the last one configured takes precedence."""
 
 
 class GpioTimestampBehavior(codec.OpenEnum):
@@ -838,11 +839,11 @@ class GpioUartBehavior(codec.OpenEnum):
     """Behavior of a pin whose feature is uart."""
 
     PORT_2_TX = 33
-    """UART 2 sends."""
+    """UART 2 transmits."""
     PORT_2_RX = 34
     """UART 2 receives."""
     PORT_3_TX = 49
-    """UART 3 sends."""
+    """UART 3 transmits."""
     PORT_3_RX = 50
     """UART 3 receives."""
 
@@ -895,13 +896,13 @@ class NmeaMessageId(codec.OpenEnum):
 
 
 class NmeaTalkerId(codec.OpenEnum):
-    """The first letters of an NMEA-0183 sentence, which name its talker.
+    """The first letters of an NMEA-0183 sentence, which identify its talker.
 
     - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
     """
 
     IGNORED = 0
-    """For sentences whose talker is not free (GSV and the proprietary ones)."""
+    """For sentences whose talker cannot be chosen (GSV and the proprietary ones)."""
     GNSS = 1
     """GN."""
     GPS = 2
@@ -929,7 +930,7 @@ class NmeaMessage(Structure):
     message_id: NmeaMessageId
     """The sentence."""
     talker_id: NmeaTalkerId
-    """The talker that the sentence names."""
+    """The talker in the sentence."""
     source_descriptor_set: int
     """Data descriptor set that the contents are taken from."""
     decimation: int
@@ -968,10 +969,10 @@ class NmeaMessage(Structure):
 class RtkStatusFlags(IntFlag):
     """State of the modem and of the corrections. Models of another kind send
     `RtkStatusFlagsLegacy`. Uncertain: Which model sends which of the two forms. The SDK says only
-    that the model number decides it. Uncertain: Other software of the vendor looks at `version`: 0
+    that the model number decides it. Uncertain: Other software of the vendor evaluates `version`: 0
     is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
-    Uncertain: The SDK gives the names only; the descriptions follow from them. What the values mean
-    is open.
+    Uncertain: The SDK gives the names only; the descriptions follow from them. The meaning of the
+    values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -982,20 +983,20 @@ class RtkStatusFlags(IntFlag):
     """Kind of the cellular connection. Bits 4 to 7."""
     RSSI = 0xFF00
     """Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the
-    vendor takes it as negative.
+    vendor treats it as negative.
     """
     SIGNAL_QUALITY = 0xF0000
     """Signal quality. Bits 16 to 19."""
     TOWER_CHANGE_INDICATOR = 0xF00000
     """Changes of the cell tower. Bits 20 to 23."""
     NMEA_TIMEOUT = 1 << 24
-    """No NMEA came from the device in time. Bit 24."""
+    """No NMEA was received from the device in time. Bit 24."""
     SERVER_TIMEOUT = 1 << 25
     """The server did not answer in time. Bit 25."""
     CORRECTIONS_TIMEOUT = 1 << 26
-    """No corrections came in time. Bit 26."""
+    """No corrections were received in time. Bit 26."""
     DEVICE_OUT_OF_RANGE = 1 << 27
-    """The device is outside of the area of the service. Bit 27."""
+    """The device is outside the service area. Bit 27."""
     CORRECTIONS_UNAVAILABLE = 1 << 28
     """There are no corrections. Bit 28."""
     VERSION = 0xC0000000
@@ -1065,9 +1066,9 @@ class RtkStatusFlags(IntFlag):
 @codec.open_flag(32)
 class RtkStatusFlagsLegacy(IntFlag):
     """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
-    which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, and
-    puts the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions
-    follow from them. What the values mean is open.
+    which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but
+    also puts the last four numbers there. Uncertain: The SDK gives the names only; the descriptions
+    follow from them. The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -1262,7 +1263,7 @@ class AckCode(codec.OpenEnum):
     INVALID_PARAMETER = 3
     """A parameter is out of range, or of the wrong size or type."""
     COMMAND_FAILED = 4
-    """The device could not carry the command out."""
+    """The device could not carry out the command."""
     COMMAND_TIMEOUT = 5
     """The command did not finish in time."""
     UNKNOWN_DESCRIPTOR_SET = 6
@@ -1310,7 +1311,7 @@ class SensorGpsTimestampFlags(IntFlag):
     PPS_VALID = 1 << 0
     """The PPS signal is present. Bit 0."""
     TIME_REFRESH = 1 << 1
-    """Toggles each time that the time is updated. Bit 1."""
+    """Toggles each time the time is updated. Bit 1."""
     TIME_INITIALIZED = 1 << 2
     """The time has been set at least once. Bit 2."""
     TOW_VALID = 1 << 3
@@ -1321,8 +1322,8 @@ class SensorGpsTimestampFlags(IntFlag):
 
 @codec.open_flag(16)
 class Gx5SensorGpsTimestampFlags(IntFlag):
-    """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
-    values.
+    """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity of
+    the values.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     """
@@ -1330,6 +1331,6 @@ class Gx5SensorGpsTimestampFlags(IntFlag):
     PPS_VALID = 1 << 0
     """The PPS signal is present; without it, the internal clock drives the time. Bit 0."""
     TIME_REFRESH = 1 << 1
-    """Toggles each time that the time is updated. Bit 1."""
+    """Toggles each time the time is updated. Bit 1."""
     TIME_INITIALIZED = 1 << 2
     """The time has been set at least once. Bit 2."""

@@ -4,9 +4,9 @@ use crate::types;
 pub use crate::types::AckCode;
 pub use crate::types::FunctionSelector;
 
-/// Version of the specification that this crate was made from.
+/// Version of the specification from which this crate was generated.
 pub const VERSION: &str = "0.1.0";
-/// The two bytes that every packet begins with.
+/// The two bytes with which every packet begins.
 pub const SYNC: [u8; 2] = [0x75, 0x65];
 
 record! {
@@ -20,7 +20,7 @@ record! {
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,
-        /// Zero acknowledges, any other value refuses.
+        /// 0 if the command is acknowledged, else the reason why it is refused.
         pub code: types::AckCode,
     }
 }

@@ -5,7 +5,7 @@ open_enum! {
     FunctionSelector: u8 {
         /// Apply the new setting.
         WRITE = 1, "write";
-        /// Send the current setting back in a response.
+        /// Return the current setting in a response.
         READ = 2, "read";
         /// Save the current setting to non-volatile memory.
         SAVE = 3, "save";
@@ -46,16 +46,16 @@ bitfield! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Commanded Built-in Test.
     Cv7BuiltInTest: u32 {
-        /// A vital part, such as the oscillator, has failed. Bit 0.
+        /// A critical part, such as the oscillator, has failed. Bit 0.
         GENERAL_HARDWARE_FAULT: bool = 0,
             general_hardware_fault, set_general_hardware_fault, with_general_hardware_fault;
-        /// The firmware met a serious or unexpected condition. Bit 1.
+        /// The firmware encountered a serious or unexpected condition. Bit 1.
         GENERAL_FIRMWARE_FAULT: bool = 1,
             general_firmware_fault, set_general_firmware_fault, with_general_firmware_fault;
         /// The processor cannot keep up; cleared by reading the result. Bit 2.
         TIMING_OVERLOAD: bool = 2,
             timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer was full, mostly because too much is streamed. Bit 3.
+        /// A data buffer was full, usually because too much data is streamed. Bit 3.
         BUFFER_OVERRUN: bool = 3,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
         /// The accelerometer is damaged or does not work. Bit 12.
@@ -73,13 +73,13 @@ bitfield! {
         /// At least one calibration table of the sensors is invalid. Bit 18.
         CALIBRATION_ERROR: bool = 18,
             calibration_error, set_calibration_error, with_calibration_error;
-        /// A fault of the inertial sensor subsystem that no other bit names. Bit 19.
+        /// A fault of the inertial sensor subsystem that no other bit covers. Bit 19.
         GENERAL_IMU_FAULT: bool = 19,
             general_imu_fault, set_general_imu_fault, with_general_imu_fault;
         /// The filter output is invalid (not a number); reset the filter. Bit 22.
         FILTER_SOLUTION_FAULT: bool = 22,
             filter_solution_fault, set_filter_solution_fault, with_filter_solution_fault;
-        /// A fault of the filter subsystem that no other bit names. Bit 23.
+        /// A fault of the filter subsystem that no other bit covers. Bit 23.
         GENERAL_FILTER_FAULT: bool = 23,
             general_filter_fault, set_general_filter_fault, with_general_filter_fault;
     }
@@ -97,7 +97,7 @@ bitfield! {
         /// The supply voltage is out of range, or an internal supply has failed. Bit 1.
         POWER_FAULT: bool = 1,
             power_fault, set_power_fault, with_power_fault;
-        /// The firmware met an unexpected condition. Bit 4.
+        /// The firmware encountered an unexpected condition. Bit 4.
         FIRMWARE_FAULT: bool = 4,
             firmware_fault, set_firmware_fault, with_firmware_fault;
         /// The processor cannot keep up. Bit 5.
@@ -106,25 +106,26 @@ bitfield! {
         /// A data buffer was full and data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The inertial sensor subsystem does not run or did not start. Bit 16.
+        /// The inertial sensor subsystem is not running or did not start. Bit 16.
         IMU_PROCESS_FAULT: bool = 16,
             imu_process_fault, set_imu_process_fault, with_imu_process_fault;
         /// The processing of sensor data took too long. Bit 17.
         IMU_DATA_PROCESS_TIME_EXCEEDED: bool = 17,
             imu_data_process_time_exceeded, set_imu_data_process_time_exceeded, with_imu_data_process_time_exceeded;
-        /// Sensor data does not come at its base rate. Bit 18.
+        /// Sensor data is not produced at its base rate. Bit 18.
         IMU_DATA_RATE_ERROR: bool = 18,
             imu_data_rate_error, set_imu_data_rate_error, with_imu_data_rate_error;
         /// The inertial sensor subsystem produces no data. Bit 19.
         IMU_STALL: bool = 19,
             imu_stall, set_imu_stall, with_imu_stall;
-        /// Any of these: the filter does not work normally. Bits 20 to 23. Overlaps other bits.
+        /// Any of these faults: the filter does not work normally. Bits 20 to 23. Overlaps other
+        /// bits.
         FILTER_PROCESS_FAULT: u8 = 20..=23,
             filter_process_fault, set_filter_process_fault, with_filter_process_fault;
-        /// Major cycle of the filter; bits 22 and 23 say what. Bit 20.
+        /// Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20.
         FILTER_MAJOR_CYCLE_FAULT: bool = 20,
             filter_major_cycle_fault, set_filter_major_cycle_fault, with_filter_major_cycle_fault;
-        /// Minor cycle of the filter; bits 22 and 23 say what. Bit 21.
+        /// Fault of the minor cycle of the filter; bits 22 and 23 say which fault. Bit 21.
         FILTER_MINOR_CYCLE_FAULT: bool = 21,
             filter_minor_cycle_fault, set_filter_minor_cycle_fault, with_filter_minor_cycle_fault;
         /// A filter process misses its base rate; bits 20 and 21 say which. Bit 22.
@@ -133,7 +134,7 @@ bitfield! {
         /// A filter process produces no data; bits 20 and 21 say which. Bit 23.
         FILTER_PROCESS_STALL: bool = 23,
             filter_process_stall, set_filter_process_stall, with_filter_process_stall;
-        /// Any of these: GNSS does not work normally. Bits 24 to 27. Overlaps other bits.
+        /// Any of these faults: GNSS does not work normally. Bits 24 to 27. Overlaps other bits.
         GNSS_SUBSYSTEM_FAULT: u8 = 24..=27,
             gnss_subsystem_fault, set_gnss_subsystem_fault, with_gnss_subsystem_fault;
         /// The main GNSS process did not run in time. Bit 24.
@@ -148,7 +149,7 @@ bitfield! {
         /// No communication with the inertial sensors. Bit 33.
         IMU_COMM_FAULT: bool = 33,
             imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
-        /// Inertial sensor processes take longer than their time. Bit 34.
+        /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
         /// Fault of the accelerometer calibration. Bit 36.
@@ -160,7 +161,7 @@ bitfield! {
         /// Fault of the magnetometer calibration. Bit 38.
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
-        /// The accelerometer does not initialize. Bit 40.
+        /// The accelerometer failed to initialize. Bit 40.
         ACCEL_GENERAL_FAULT: bool = 40,
             accel_general_fault, set_accel_general_fault, with_accel_general_fault;
         /// An axis is near or outside the selected range. Bit 41.
@@ -169,7 +170,7 @@ bitfield! {
         /// The self test failed; updated by the commanded test. Bit 42.
         ACCEL_SELF_TEST_FAIL: bool = 42,
             accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
-        /// The gyroscope does not initialize. Bit 44.
+        /// The gyroscope failed to initialize. Bit 44.
         GYRO_GENERAL_FAULT: bool = 44,
             gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
         /// An axis is near or outside the selected range. Bit 45.
@@ -178,7 +179,7 @@ bitfield! {
         /// The self test failed; updated by the commanded test. Bit 46.
         GYRO_SELF_TEST_FAIL: bool = 46,
             gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
-        /// The magnetometer does not initialize. Bit 48.
+        /// The magnetometer failed to initialize. Bit 48.
         MAG_GENERAL_FAULT: bool = 48,
             mag_general_fault, set_mag_general_fault, with_mag_general_fault;
         /// An axis is near or outside the supported range. Bit 49.
@@ -187,7 +188,7 @@ bitfield! {
         /// The self test failed; updated by the commanded test. Bit 50.
         MAG_SELF_TEST_FAIL: bool = 50,
             mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
-        /// The pressure sensor does not initialize. Bit 52.
+        /// The pressure sensor failed to initialize. Bit 52.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
         /// The pressure is outside the supported range. Bit 53.
@@ -199,7 +200,7 @@ bitfield! {
         /// The device has lost its factory configuration. Bit 56.
         FACTORY_BITS_INVALID: bool = 56,
             factory_bits_invalid, set_factory_bits_invalid, with_factory_bits_invalid;
-        /// Filter processes take longer than their time. Bit 66.
+        /// Filter processes take longer than their time slot. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
             filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
         /// Filter processes are skipped. Bit 67.
@@ -208,13 +209,13 @@ bitfield! {
         /// No communication with internal receiver 1. Bit 105.
         RECEIVER_1_FAULT: bool = 105,
             receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Internal receiver 1 has no valid solution; mostly no sky view. Bit 108.
+        /// Internal receiver 1 has no valid solution; usually for lack of a sky view. Bit 108.
         RECEIVER_1_NO_SOLUTION: bool = 108,
             receiver_1_no_solution, set_receiver_1_no_solution, with_receiver_1_no_solution;
         /// No communication with internal receiver 2. Bit 110.
         RECEIVER_2_FAULT: bool = 110,
             receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Internal receiver 2 has no valid solution; mostly no sky view. Bit 113.
+        /// Internal receiver 2 has no valid solution; usually for lack of a sky view. Bit 113.
         RECEIVER_2_NO_SOLUTION: bool = 113,
             receiver_2_no_solution, set_receiver_2_no_solution, with_receiver_2_no_solution;
     }
@@ -253,18 +254,18 @@ open_enum! {
 }
 
 open_enum! {
-    /// Whether an event trigger works.
+    /// Operating mode of an event trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B); 3dm-cv7-gnss-ins: Enabling & Disabling
     /// Triggers.
     EventTriggerMode: u8 {
-        /// The trigger is never active; so it is after configuration.
+        /// The trigger is never active. This is its mode after configuration.
         DISABLED = 0, "disabled";
-        /// The trigger does what it is configured for.
+        /// The trigger works as configured.
         ENABLED = 1, "enabled";
         /// The trigger is active all the time.
         TEST = 2, "test";
-        /// The trigger is active for one event cycle and then goes back to its earlier mode.
+        /// The trigger is active for one event cycle and then returns to its previous mode.
         TEST_PULSE = 3, "test_pulse";
     }
 }
@@ -311,7 +312,7 @@ open_enum! {
     EventThresholdType: u8 {
         /// The value lies between two thresholds.
         WINDOW = 1, "window";
-        /// The remainder of the value by an interval is at most a threshold.
+        /// The remainder of the value divided by an interval is at most a threshold.
         INTERVAL = 2, "interval";
     }
 }
@@ -322,7 +323,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Action:
     /// GPIO.
     EventActionGpioMode: u8 {
-        /// The pin is left alone.
+        /// The pin is not changed.
         DISABLED = 0, "disabled";
         /// High while the trigger is active and low otherwise.
         ACTIVE_HIGH = 1, "active_high";
@@ -356,7 +357,7 @@ item! { EventTriggerGpio { pin mode } }
 constructors! {
     EventTriggerGpio
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(pin: u8, mode: EventTriggerGpioMode);
 }
 
@@ -367,7 +368,7 @@ record! {
         /// Lower threshold, in the unit of the watched value.
         pub low_threshold: f64,
         /// Upper threshold, in the unit of the watched value. If it is below the lower one, the
-        /// trigger is active outside of the window.
+        /// trigger is active outside the window.
         pub high_threshold: f64,
     }
 }
@@ -376,7 +377,7 @@ item! { EventThresholdWindow { low_threshold high_threshold } }
 constructors! {
     EventThresholdWindow
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(low_threshold: f64, high_threshold: f64);
 }
 
@@ -398,7 +399,7 @@ item! { EventThresholdInterval { interval_threshold interval } }
 constructors! {
     EventThresholdInterval
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(interval_threshold: f64, interval: f64);
 }
 
@@ -443,7 +444,7 @@ union! {
         /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::WINDOW`].
         #[cfg_attr(feature = "serde", serde(rename = "window"))]
         WINDOW => Window(EventThresholdWindow) "window",
-        /// The remainder of the value by an interval is at most a threshold.
+        /// The remainder of the value divided by an interval is at most a threshold.
         ///
         /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::INTERVAL`].
         #[cfg_attr(feature = "serde", serde(rename = "interval"))]
@@ -456,7 +457,7 @@ item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id typ
 constructors! {
     EventTriggerThreshold
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         descriptor_set: u8,
         field_descriptor: u8,
@@ -471,12 +472,13 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: CombinationParams; 3dm-cv7-gnss-ins: Logical Truth Table.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerCombination {
-        /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the
-        /// four inputs.
+        /// Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of
+        /// the four inputs.
         pub logic_table: u16,
         /// Trigger instances for the inputs a to d; 0 is always inactive.
         ///
-        /// - An input may name the trigger itself; it is then the output of the event cycle before.
+        /// - An input may be the trigger itself; its value is then the output of the previous event
+        ///   cycle.
         pub input_triggers: [u8; 4],
     }
 }
@@ -485,7 +487,7 @@ item! { EventTriggerCombination { logic_table input_triggers } }
 constructors! {
     EventTriggerCombination
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(logic_table: u16, input_triggers: [u8; 4]);
 }
 
@@ -499,7 +501,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: u8,
-        /// What happens to the pin.
+        /// How the action controls the pin.
         pub mode: EventActionGpioMode,
     }
 }
@@ -508,14 +510,14 @@ item! { EventActionGpio { pin mode } }
 constructors! {
     EventActionGpio
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(pin: u8, mode: EventActionGpioMode);
 }
 
 record! {
     /// An action that sends data packets.
     ///
-    /// On the wire there is also `num_fields`: Number of fields in the packet. The number of
+    /// The wire format also contains `num_fields`: Number of fields in the packet. The number of
     /// elements of [`descriptors`](EventActionMessage::descriptors). Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
@@ -524,8 +526,8 @@ record! {
         /// Data descriptor set of the packet.
         pub descriptor_set: u8,
         /// 0 sends one packet per activation. Any other value streams while the trigger is active,
-        /// at the base rate of the descriptor set divided by it; a packet is sent at once, and the
-        /// count begins anew at each activation.
+        /// at the base rate of the descriptor set divided by this value. At each activation, a
+        /// packet is sent immediately and the count restarts.
         pub decimation: u16,
         /// Field descriptors, in order.
         pub descriptors: crate::List<u8, 249>,
@@ -542,7 +544,7 @@ item! { EventActionMessage { descriptor_set decimation descriptors } }
 constructors! {
     EventActionMessage
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         descriptor_set: u8,
         decimation: u16,
@@ -747,7 +749,7 @@ open_enum! {
         PPS = 2, "pps";
         /// Input of a motor encoder or odometer.
         ENCODER = 3, "encoder";
-        /// Input whose edges get exact timestamps for event triggers.
+        /// Input whose edges get precise timestamps for event triggers.
         TIMESTAMP = 4, "timestamp";
         /// Data or control line of a UART.
         UART = 5, "uart";
@@ -777,7 +779,7 @@ open_enum! {
 open_enum! {
     /// Behavior of a pin whose feature is pps.
     GpioPpsBehavior: u8 {
-        /// The pin receives the pulse; the PPS source must be gpio. One pin at most.
+        /// The pin receives the pulse; the PPS source must be gpio. At most one pin.
         INPUT = 1, "input";
         /// The pin sends the pulse of the device.
         OUTPUT = 2, "output";
@@ -787,9 +789,9 @@ open_enum! {
 open_enum! {
     /// Behavior of a pin whose feature is encoder.
     GpioEncoderBehavior: u8 {
-        /// Quadrature input A. One pin at most; the latest one configured has it.
+        /// Quadrature input A. At most one pin; the last one configured takes precedence.
         A = 1, "a";
-        /// Quadrature input B. One pin at most; the latest one configured has it.
+        /// Quadrature input B. At most one pin; the last one configured takes precedence.
         B = 2, "b";
     }
 }
@@ -809,11 +811,11 @@ open_enum! {
 open_enum! {
     /// Behavior of a pin whose feature is uart.
     GpioUartBehavior: u8 {
-        /// UART 2 sends.
+        /// UART 2 transmits.
         PORT_2_TX = 33, "port_2_tx";
         /// UART 2 receives.
         PORT_2_RX = 34, "port_2_rx";
-        /// UART 3 sends.
+        /// UART 3 transmits.
         PORT_3_TX = 49, "port_3_tx";
         /// UART 3 receives.
         PORT_3_RX = 50, "port_3_rx";
@@ -868,11 +870,11 @@ open_enum! {
 }
 
 open_enum! {
-    /// The first letters of an NMEA-0183 sentence, which name its talker.
+    /// The first letters of an NMEA-0183 sentence, which identify its talker.
     ///
     /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs.
     NmeaTalkerId: u8 {
-        /// For sentences whose talker is not free (GSV and the proprietary ones).
+        /// For sentences whose talker cannot be chosen (GSV and the proprietary ones).
         IGNORED = 0, "ignored";
         /// GN.
         GNSS = 1, "gnss";
@@ -893,7 +895,7 @@ record! {
     pub struct NmeaMessage {
         /// The sentence.
         pub message_id: NmeaMessageId,
-        /// The talker that the sentence names.
+        /// The talker in the sentence.
         pub talker_id: NmeaTalkerId,
         /// Data descriptor set that the contents are taken from.
         pub source_descriptor_set: u8,
@@ -906,7 +908,7 @@ item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
 constructors! {
     NmeaMessage
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
@@ -920,10 +922,10 @@ bitfield! {
     /// [`RtkStatusFlagsLegacy`].
     ///
     /// Uncertain: Which model sends which of the two forms. The SDK says only that the model number
-    /// decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy
+    /// decides it. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy
     /// form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain:
-    /// The SDK gives the names only; the descriptions follow from them. What the values mean is
-    /// open.
+    /// The SDK gives the names only; the descriptions follow from them. The meaning of the values
+    /// is not known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlags: u32 {
@@ -934,7 +936,7 @@ bitfield! {
         CONNECTION_TYPE: u8 = 4..=7,
             connection_type, set_connection_type, with_connection_type;
         /// Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of
-        /// the vendor takes it as negative.
+        /// the vendor treats it as negative.
         RSSI: u8 = 8..=15,
             rssi, set_rssi, with_rssi;
         /// Signal quality. Bits 16 to 19.
@@ -943,16 +945,16 @@ bitfield! {
         /// Changes of the cell tower. Bits 20 to 23.
         TOWER_CHANGE_INDICATOR: u8 = 20..=23,
             tower_change_indicator, set_tower_change_indicator, with_tower_change_indicator;
-        /// No NMEA came from the device in time. Bit 24.
+        /// No NMEA was received from the device in time. Bit 24.
         NMEA_TIMEOUT: bool = 24,
             nmea_timeout, set_nmea_timeout, with_nmea_timeout;
         /// The server did not answer in time. Bit 25.
         SERVER_TIMEOUT: bool = 25,
             server_timeout, set_server_timeout, with_server_timeout;
-        /// No corrections came in time. Bit 26.
+        /// No corrections were received in time. Bit 26.
         CORRECTIONS_TIMEOUT: bool = 26,
             corrections_timeout, set_corrections_timeout, with_corrections_timeout;
-        /// The device is outside of the area of the service. Bit 27.
+        /// The device is outside the service area. Bit 27.
         DEVICE_OUT_OF_RANGE: bool = 27,
             device_out_of_range, set_device_out_of_range, with_device_out_of_range;
         /// There are no corrections. Bit 28.
@@ -968,8 +970,9 @@ bitfield! {
     /// State of the modem and of the corrections, in its older form.
     ///
     /// Uncertain: Which model sends which of the two forms; see [`RtkStatusFlags`]. Uncertain: The
-    /// SDK calls bits 20-31 reserved, and puts the four last numbers there too. Uncertain: The SDK
-    /// gives the names only; the descriptions follow from them. What the values mean is open.
+    /// SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK
+    /// gives the names only; the descriptions follow from them. The meaning of the values is not
+    /// known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlagsLegacy: u32 {
@@ -1081,7 +1084,7 @@ open_enum! {
         BAD_CHECKSUM = 2, "bad_checksum";
         /// A parameter is out of range, or of the wrong size or type.
         INVALID_PARAMETER = 3, "invalid_parameter";
-        /// The device could not carry the command out.
+        /// The device could not carry out the command.
         COMMAND_FAILED = 4, "command_failed";
         /// The command did not finish in time.
         COMMAND_TIMEOUT = 5, "command_timeout";
@@ -1105,7 +1108,7 @@ item! { DescriptorRate { descriptor decimation } }
 constructors! {
     DescriptorRate
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(descriptor: u8, decimation: u16);
 }
 
@@ -1117,7 +1120,7 @@ bitfield! {
         /// The PPS signal is present. Bit 0.
         PPS_VALID: bool = 0,
             pps_valid, set_pps_valid, with_pps_valid;
-        /// Toggles each time that the time is updated. Bit 1.
+        /// Toggles each time the time is updated. Bit 1.
         TIME_REFRESH: bool = 1,
             time_refresh, set_time_refresh, with_time_refresh;
         /// The time has been set at least once. Bit 2.
@@ -1133,15 +1136,15 @@ bitfield! {
 }
 
 bitfield! {
-    /// State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
-    /// values.
+    /// State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity
+    /// of the values.
     ///
     /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12).
     Gx5SensorGpsTimestampFlags: u16 {
         /// The PPS signal is present; without it, the internal clock drives the time. Bit 0.
         PPS_VALID: bool = 0,
             pps_valid, set_pps_valid, with_pps_valid;
-        /// Toggles each time that the time is updated. Bit 1.
+        /// Toggles each time the time is updated. Bit 1.
         TIME_REFRESH: bool = 1,
             time_refresh, set_time_refresh, with_time_refresh;
         /// The time has been set at least once. Bit 2.

@@ -1,4 +1,4 @@
-"""What the README of the package begins with: its commands and programs run as they stand, at a simulated device."""
+"""What the README of the package begins with: its commands and programs run unchanged, at a simulated device."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from support import SPECS
 
 PORT = "/dev/ttyACM0"
 PAGE = (SPECS["real"][1] / "python/README.md").read_text("utf-8")
-FIRST = PAGE.partition("\n## What people come for\n")[2].partition("\n## ")[0]
+FIRST = PAGE.partition("\n## Common tasks\n")[2].partition("\n## ")[0]
 
 
 def section(title: str) -> tuple[list[str], str]:
@@ -41,7 +41,7 @@ def python(program: str, folder: Path) -> str:
 def test_it_begins_with_what_people_come_for() -> None:
     titles = ["A log to CSV", "A log to a DataFrame", "Live data", "One command", "One packet explained"]
     assert re.findall(r"^### (.*)$", FIRST, re.M) == titles
-    assert re.findall(r"^## (.*)$", PAGE, re.M)[:3] == ["Install", "What people come for", "How to import"]
+    assert re.findall(r"^## (.*)$", PAGE, re.M)[:3] == ["Install", "Common tasks", "How to import"]
 
 
 def test_one_packet_explained(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -22,7 +22,7 @@ extern "C" {
 #define MIP_3DM_SET 0x0C
 
 /**
- * A field that a poll asks for.
+ * A field requested by a poll.
  *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
@@ -34,7 +34,7 @@ struct mip_3dm_poll_entry {
 };
 
 /**
- * What happens to the message formats that are set.
+ * What happens to the existing message formats.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -43,7 +43,7 @@ enum mip_3dm_factory_streaming_action {
     MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE = 0,
     /** The support fields are merged into the formats; the order may change. */
     MIP_3DM_FACTORY_STREAMING_ACTION_MERGE = 1,
-    /** The support fields are added behind the formats; fields may occur twice. */
+    /** The support fields are appended to the formats; fields may occur twice. */
     MIP_3DM_FACTORY_STREAMING_ACTION_ADD = 2
 };
 
@@ -90,9 +90,9 @@ struct mip_3dm_constellation_settings_entry {
     uint8_t constellation_id;
     /** 1 switches it on, 0 off. Range: 0 to 1. */
     uint8_t enable;
-    /** Channels that are kept for it. Unit: 1. Range: 0 to 32. */
+    /** Channels reserved for it. Unit: 1. Range: 0 to 32. */
     uint8_t reserved_channels;
-    /** Channels that it takes at most. Unit: 1. Range: 0 to 32. */
+    /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
     uint8_t max_channels;
     /** Options. */
     mip_3dm_constellation_options option_flags;
@@ -104,7 +104,7 @@ struct mip_3dm_constellation_settings_entry {
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 typedef uint16_t mip_3dm_sbas_options;
-/** Bit 0. SBAS pseudoranges take part in the position solution. */
+/** Bit 0. SBAS pseudoranges are used in the position solution. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING 0x0001U
 /** Bit 1. SBAS differential corrections are applied. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
@@ -145,7 +145,7 @@ enum mip_3dm_pps_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
 /**
- * Which part of the event system is asked about.
+ * The part of the event system that is queried.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -166,7 +166,7 @@ MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 struct mip_3dm_event_support_info {
     /** Type of triggers, or of actions. */
     uint8_t type;
-    /** Instances of this type at most. Unit: 1. */
+    /** Maximum number of instances of this type. Unit: 1. */
     uint8_t count;
 };
 
@@ -241,7 +241,7 @@ struct mip_3dm_sensor_range_entry {
 };
 
 /**
- * How much a device status tells.
+ * Level of detail of a device status.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -276,16 +276,16 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
 /**
  * Poll IMU Data: command (0x0C,0x01).
  *
- * Asks for one sensor data packet (0x80) with the fields listed, in their order.
+ * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls the stored message format; without one the device refuses.
+ * An empty list polls the stored message format; if none is stored, the device refuses the command.
  *
  * Descriptors that the device does not know are ignored.
  *
- * The data comes in a packet of its own behind the reply.
+ * The data is sent in a separate packet after the reply.
  *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
@@ -334,16 +334,17 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
 /**
  * Poll GNSS Data: command (0x0C,0x02).
  *
- * Asks for one GNSS data packet with the fields listed, in their order.
+ * Requests one GNSS data packet with the listed fields, in the listed order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
- * An empty list polls what mip_3dm_gnss_message_format has stored; without that the device refuses.
+ * An empty list polls the format stored by mip_3dm_gnss_message_format; if none is stored, the
+ * device refuses the command.
  *
- * Descriptors that the device does not know are left out.
+ * Descriptors that the device does not know are omitted.
  *
- * The data comes in a packet of its own behind the reply.
+ * The data is sent in a separate packet after the reply.
  *
  * - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
  */
@@ -354,7 +355,7 @@ struct mip_3dm_poll_gnss_data {
     uint8_t num_descriptors;
     /**
      * Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-     * not say what a poll does with it.
+     * not say how a poll uses it.
      */
     struct mip_3dm_poll_entry descriptors[83];
 };
@@ -395,16 +396,16 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
 /**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
- * Asks for one filter data packet (0x82) with the fields listed, in their order.
+ * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
  * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls the stored message format; without one the device refuses.
+ * An empty list polls the stored message format; if none is stored, the device refuses the command.
  *
  * Descriptors that the device does not know are ignored.
  *
- * The data comes in a packet of its own behind the reply.
+ * The data is sent in a separate packet after the reply.
  *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
  */
@@ -453,15 +454,15 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
 /**
  * Poll NMEA Data: command (0x0C,0x04).
  *
- * Asks for the NMEA sentences listed, once.
+ * Requests the listed NMEA sentences once.
  *
  * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
- * An empty list polls the stored NMEA format; without one the device refuses.
+ * An empty list polls the stored NMEA format; if none is stored, the device refuses the command.
  *
- * The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
- * off there.
+ * The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA is
+ * disabled there.
  *
  * A sentence is sent only if its data is valid.
  *
@@ -512,7 +513,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
- * Asks for the rate that the decimations of the IMU message format divide.
+ * Gets the rate that is divided by the decimations of the IMU message format.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -610,11 +611,11 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
- * Asks for the rate that the decimations of the GNSS message format divide.
+ * Gets the rate that is divided by the decimations of the GNSS message format.
  *
  * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
- * MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -649,8 +650,8 @@ static inline mip_error mip_3dm_get_gnss_base_rate_encode(
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
  * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
- * MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -718,15 +719,15 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
  * wanted rate.
  *
- * The list replaces the one before. If any descriptor is unknown the device refuses and changes
- * nothing.
+ * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+ * and changes nothing.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -769,7 +770,7 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -851,8 +852,8 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  */
 struct mip_3dm_gnss_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -897,7 +898,7 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -976,15 +977,15 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
  * divided by the wanted rate.
  *
- * The list replaces the one before. If any descriptor is unknown the device refuses and changes
- * nothing.
+ * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+ * and changes nothing.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1027,7 +1028,7 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1096,7 +1097,7 @@ static inline mip_error mip_3dm_filter_message_format_response_encode(
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
- * Asks for the rate that the decimations of the estimation filter message format divide.
+ * Gets the rate that is divided by the decimations of the estimation filter message format.
  *
  * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
  * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1207,8 +1208,8 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
  */
 struct mip_3dm_nmea_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1251,7 +1252,7 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
              count * sizeof(format_entries[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1319,17 +1320,17 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
 /**
  * Poll Data: command (0x0C,0x0D).
  *
- * Asks for one data packet of the descriptor set with the fields listed, in their order.
+ * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
  * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
- * An empty list polls the stored message format; without one the device refuses.
+ * An empty list polls the stored message format; if none is stored, the device refuses the command.
  *
  * Descriptors that the device does not know are ignored.
  *
- * The data comes in a packet of its own behind the reply, on the port of the command.
+ * The data is sent in a separate packet after the reply, on the port of the command.
  *
- * Shared descriptors (0xD0 and up) belong in front of the others.
+ * List shared descriptors (0xD0 and up) before the others.
  *
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
@@ -1383,7 +1384,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
 /**
  * Get Data Base Rate: command (0x0C,0x0E).
  *
- * Asks for the rate that the decimations of a descriptor set divide.
+ * Gets the rate that is divided by the decimations of a descriptor set.
  *
  * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -1457,9 +1458,9 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
 struct mip_3dm_get_base_rate_response {
-    /** Data descriptor set of the command. */
+    /** Data descriptor set given in the command. */
     uint8_t descriptor_set;
-    /** Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz. */
+    /** Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz. */
     uint16_t rate;
 };
 
@@ -1524,15 +1525,15 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * The decimation is the base rate, as the get data base rate command reports it, divided by the
  * wanted rate.
  *
- * Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
- * of the others.
+ * List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
+ * others.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1578,7 +1579,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1652,14 +1653,14 @@ static inline mip_error mip_3dm_message_format_response_encode(
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
- * Sets all message formats to those that technical support wants to have recorded.
+ * Sets all message formats to those that technical support needs in a recording.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
 struct mip_3dm_factory_streaming {
-    /** What happens to the present formats. A value of enum mip_3dm_factory_streaming_action. */
+    /** What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action. */
     uint8_t action;
     /** Reserved: send 0. */
     uint8_t reserved;
@@ -1731,16 +1732,16 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * 5-series devices name the stream by a number of their own (enum mip_3dm_legacy_data_stream),
- * others by its descriptor set.
+ * 5-series devices identify the stream by a number (enum mip_3dm_legacy_data_stream), other devices
+ * by its descriptor set.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1788,7 +1789,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1833,11 +1834,11 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * Stream of the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-     * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
-     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-     * 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
-     * values of enum mip_3dm_legacy_data_stream.
+     * Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+     * 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
+     * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+     * 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
      */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
@@ -1901,20 +1902,20 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The
- * factory default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
- * SBAS and QZSS too.
+ * factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and
+ * QZSS too.
  *
- * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
- * channels at most than it reserves.
+ * The device refuses entries that reserve more than 32 channels in total. The maximum of an entry
+ * must not be less than the number of channels it reserves.
  *
- * GLONASS and BeiDou exclude each other.
+ * GLONASS and BeiDou cannot be used together.
  *
- * If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+ * If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off.
  *
- * SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
- * use.
+ * SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for
+ * safety-of-life use.
  *
- * Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+ * Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16,
  * GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
@@ -1922,15 +1923,15 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  */
 struct mip_3dm_constellation_settings {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Tracking channels in use at most; no more than the response reports as available. Unit: 1.
-     * Required for write.
+     * Maximum number of tracking channels in use; at most the number that the response reports as
+     * available. Unit: 1. Required for write.
      */
     uint16_t max_channels;
     /**
@@ -1974,7 +1975,7 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
              config_count * sizeof(settings[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2016,7 +2017,7 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
 struct mip_3dm_constellation_settings_response {
     /** Channels that the receiver has. Unit: 1. */
     uint16_t max_channels_available;
-    /** Channels in use at most. Unit: 1. */
+    /** Maximum number of channels in use. Unit: 1. */
     uint16_t max_channels_use;
     /** Number of entries. The number of elements of settings. Range: 0 to 41. */
     uint8_t config_count;
@@ -2058,8 +2059,8 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  */
 struct mip_3dm_gnss_sbas_settings {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2116,7 +2117,7 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
              num_included_prns * sizeof(included_prns[0]));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2188,27 +2189,27 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
- * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+ * Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- * Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
  * With the time of mip_3dm_gnss_time_assistance right after power-up, the first fix takes 1 s at
  * best.
  *
- * A change from enabled to none erases the flash memory of the receiver, which stands 100 000
+ * A change from enabled to none erases the flash memory of the receiver, which is rated for 100 000
  * erasures.
  *
- * It takes slightly more power.
+ * The power consumption is slightly higher.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2253,7 +2254,7 @@ static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     command->flags = 255;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2289,8 +2290,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -2357,10 +2358,10 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
- * Tells the GNSS receiver the present GPS time.
+ * Gives the GNSS receiver the current GPS time.
  *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
- * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
@@ -2368,8 +2369,8 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
  */
 struct mip_3dm_gnss_time_assistance {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2414,7 +2415,7 @@ mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command,
     command->accuracy = accuracy;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
     memset(command, 0, sizeof(*command));
@@ -2425,8 +2426,8 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -2499,16 +2500,16 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The pins are configured apart from this by the GPIO configuration command.
+ * The pins are configured separately, by the GPIO configuration command.
  *
- * The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+ * The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2550,7 +2551,7 @@ static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_writ
     command->source = (uint8_t)source;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
@@ -2646,7 +2647,7 @@ static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
- * Asks which types of event triggers or actions there are and how many of each.
+ * Gets the types of event triggers or actions that the device has, and how many of each.
  *
  * Answered by mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2720,7 +2721,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 struct mip_3dm_get_event_support_response {
-    /** Query of the command. A value of enum mip_3dm_event_support_query. */
+    /** Query given in the command. A value of enum mip_3dm_event_support_query. */
     uint8_t query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
@@ -2772,8 +2773,8 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
  */
 struct mip_3dm_event_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2817,7 +2818,7 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2919,7 +2920,7 @@ static inline mip_error mip_3dm_event_control_response_encode_inline(
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
- * Asks for the type and the state of event triggers.
+ * Gets the type and the state of event triggers.
  *
  * Answered by mip_3dm_get_event_trigger_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2927,7 +2928,7 @@ static inline mip_error mip_3dm_event_control_response_encode_inline(
  */
 struct mip_3dm_get_event_trigger_status {
     /**
-     * Number of triggers asked for; 0 asks for all slots. The number of elements of
+     * Number of requested triggers; 0 requests all slots. The number of elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -2977,7 +2978,7 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
 struct mip_3dm_get_event_trigger_status_response {
     /** Number of entries. The number of elements of triggers. */
     uint8_t count;
-    /** One entry per trigger, in the order asked for, or by instance if all were asked for. */
+    /** One entry per trigger, in the requested order, or by instance if all were requested. */
     struct mip_3dm_event_trigger_status_entry triggers[126];
 };
 
@@ -3006,7 +3007,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
- * Asks for the type and the trigger of event actions.
+ * Gets the type and the trigger of event actions.
  *
  * Answered by mip_3dm_get_event_action_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -3014,7 +3015,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
  */
 struct mip_3dm_get_event_action_status {
     /**
-     * Number of actions asked for; 0 asks for all slots. The number of elements of
+     * Number of requested actions; 0 requests all slots. The number of elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -3064,7 +3065,7 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
 struct mip_3dm_get_event_action_status_response {
     /** Number of entries. The number of elements of actions. */
     uint8_t count;
-    /** One entry per action, in the order asked for, or by instance if all were asked for. */
+    /** One entry per action, in the requested order, or by instance if all were requested. */
     struct mip_3dm_event_action_status_entry actions[126];
 };
 
@@ -3122,8 +3123,8 @@ union mip_3dm_event_trigger_config_parameters {
  */
 struct mip_3dm_event_trigger_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3177,7 +3178,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     }
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3292,8 +3293,8 @@ union mip_3dm_event_action_config_parameters {
  */
 struct mip_3dm_event_action_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3350,7 +3351,7 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     }
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3527,17 +3528,17 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
- * In full: 3dm.sensor_to_vehicle_transform_euler.
+ * Full name: 3dm.sensor_to_vehicle_transform_euler.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
- * be another form of it.
+ * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+ * back may be another form of it.
  *
- * The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
- * by yaw, pitch and roll.
+ * Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its
+ * own z, y and x axes, in this order.
  *
  * `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
  *
@@ -3546,14 +3547,14 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
- * On some older products the setting means the inverse rotation.
+ * On some older devices the setting is the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_euler {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3597,7 +3598,7 @@ static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_
     command->yaw = yaw;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_read(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -3629,7 +3630,7 @@ mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * In full: 3dm.sensor_to_vehicle_transform_euler_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_euler_response.
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Answers mip_3dm_sensor_to_vehicle_euler.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -3703,14 +3704,14 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
- * In full: 3dm.sensor_to_vehicle_transform_quaternion.
+ * Full name: 3dm.sensor_to_vehicle_transform_quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
  * 3DM-CV7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
- * be another form of it.
+ * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+ * back may be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
@@ -3721,8 +3722,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  */
 struct mip_3dm_sensor_to_vehicle_quaternion {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3764,7 +3765,7 @@ mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quat
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_read(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
@@ -3796,7 +3797,7 @@ mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_qu
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * In full: 3dm.sensor_to_vehicle_transform_quaternion_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_quaternion_response.
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
  * mip_3dm_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS.
@@ -3871,13 +3872,13 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
- * In full: 3dm.sensor_to_vehicle_transform_dcm.
+ * Full name: 3dm.sensor_to_vehicle_transform_dcm.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
- * be another form of it.
+ * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
+ * back may be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
@@ -3888,8 +3889,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  */
 struct mip_3dm_sensor_to_vehicle_dcm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3930,7 +3931,7 @@ static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dc
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_read(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -3962,7 +3963,7 @@ mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *comm
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * In full: 3dm.sensor_to_vehicle_transform_dcm_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_dcm_response.
  *
  * Also called `sensor_2_vehicle_transform_dcm_response`. Answers mip_3dm_sensor_to_vehicle_dcm.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -4044,8 +4045,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  */
 struct mip_3dm_accel_bias {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4085,7 +4086,7 @@ mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -4207,8 +4208,8 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  */
 struct mip_3dm_gyro_bias {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4248,7 +4249,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
@@ -4357,17 +4358,17 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
- * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+ * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The device must stand still, with as little vibration as possible, for the whole time.
+ * The device must be at rest, with as little vibration as possible, for the whole time.
  *
  * The reply comes after the averaging time.
  *
- * The bias is not saved; the gyroscope bias configuration command with save does it.
+ * The bias is not saved; to save it, use the gyroscope bias configuration command with save.
  *
  * The 3DM-GX5-15 also initializes its orientation from the samples.
  *
@@ -4452,8 +4453,8 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  */
 struct mip_3dm_mag_hard_iron_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4494,7 +4495,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -4618,8 +4619,8 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  */
 struct mip_3dm_mag_soft_iron_matrix {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4660,7 +4661,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
@@ -4782,8 +4783,8 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  */
 struct mip_3dm_coning_sculling_enable {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4821,7 +4822,7 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
@@ -4920,20 +4921,20 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
+ * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
  *
- * The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
- * certain.
+ * The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands
+ * and data may be lost.
  *
- * Set the device to idle first, send the command in a packet of its own and wait 250 ms afterwards.
+ * Set the device to idle first, send the command in a separate packet, and wait 250 ms afterwards.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4973,7 +4974,7 @@ mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t ba
     command->baud = baud;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
@@ -5074,10 +5075,11 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  *
  * Not every pin has every feature.
  *
- * Configure the function behind an output before its pin, and the pin of an input before its
- * function.
+ * For an output, configure the function first, then the pin; for an input, configure the pin first,
+ * then the function.
  *
- * A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
+ * A configuration that only one pin can have moves to the last pin configured; the earlier pin is
+ * reset.
  *
  * With NMEA input at most one pin may be a UART input; set it to unused before another one takes
  * over.
@@ -5086,8 +5088,8 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  */
 struct mip_3dm_gpio_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5100,7 +5102,7 @@ struct mip_3dm_gpio_config {
      */
     uint8_t feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. Required for write. If
+     * Role of the pin within the feature; 0 if the feature has no roles. Required for write. If
      * feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If feature is
      * MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
      * values of enum mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of enum
@@ -5146,7 +5148,7 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     command->pin_mode = pin_mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5192,7 +5194,7 @@ struct mip_3dm_gpio_config_response {
     /** Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED. */
     uint8_t feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. If feature is
+     * Role of the pin within the feature; 0 if the feature has no roles. If feature is
      * MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If feature is
      * MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
      * values of enum mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of enum
@@ -5267,22 +5269,22 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
  * 3DM-CV7-GNSS/INS.
  *
- * What is read is the level of the pin itself.
+ * A read returns the level of the pin itself.
  *
- * Writing shows only on a pin that is configured as an output.
+ * A write has an effect only on a pin that is configured as an output.
  *
- * An event action of mode `active_high` or `active_low` on the pin overrides what is written.
+ * An event action of mode `active_high` or `active_low` on the pin overrides the written state.
  *
- * Reading is sure to work only with the gpio feature.
+ * Reading is guaranteed to work only with the gpio feature.
  *
- * The state at power-up is a matter of the GPIO configuration command.
+ * The GPIO configuration command determines the state at power-up.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5323,7 +5325,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     command->state = state;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
                                                                  uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5408,8 +5410,8 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  */
 struct mip_3dm_odometer_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5417,7 +5419,7 @@ struct mip_3dm_odometer_config {
     /** How the input works. A value of enum mip_3dm_odometer_mode. Required for write. */
     uint8_t mode;
     /**
-     * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
      * Required for write.
      *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
@@ -5459,7 +5461,7 @@ mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
     command->uncertainty = uncertainty;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
@@ -5499,7 +5501,7 @@ struct mip_3dm_odometer_config_response {
     /** How the input works. A value of enum mip_3dm_odometer_mode. */
     uint8_t mode;
     /**
-     * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
      *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
@@ -5580,8 +5582,8 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  */
 struct mip_3dm_imu_low_pass_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5596,12 +5598,12 @@ struct mip_3dm_imu_low_pass_filter {
     /** Whether the quantity is filtered. Default: true. Required for write. */
     mip_bool enable;
     /**
-     * True uses the frequency; false follows half the rate of the message format. Default: false.
+     * True uses `frequency`; false uses half the rate of the message format. Default: false.
      * Required for write.
      */
     mip_bool manual;
     /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for write. On the
+     * Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for write. On the
      * 3DM-GX5-15: range at most 250.
      */
     uint16_t frequency;
@@ -5642,7 +5644,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     command->frequency = frequency;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5692,11 +5694,9 @@ struct mip_3dm_imu_low_pass_filter_response {
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
     mip_bool enable;
-    /**
-     * True uses the frequency; false follows half the rate of the message format. Default: false.
-     */
+    /** True uses `frequency`; false uses half the rate of the message format. Default: false. */
     mip_bool manual;
-    /** Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. */
+    /** Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. */
     uint16_t frequency;
     /** Reserved. */
     uint8_t reserved;
@@ -5761,13 +5761,14 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
- * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+ * Corrections of the complementary filter, which computes the attitude independently of the
+ * estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
  * 3DM-GX5-35.
  *
- * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
+ * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
  *
  * The heading follows the magnetometer, if the device has one.
  *
@@ -5780,8 +5781,8 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  */
 struct mip_3dm_complementary_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5842,7 +5843,7 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     command->heading_time_constant = heading_time_constant;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
@@ -5955,15 +5956,15 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The get calibrated sensor ranges command lists the settings. The device may refuse others or
- * measure wrongly.
+ * The get calibrated sensor ranges command lists the settings. The device may refuse other
+ * settings, or measure incorrectly with them.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6004,7 +6005,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     command->setting = setting;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6104,7 +6105,7 @@ static inline mip_error mip_3dm_sensor_range_response_encode_inline(
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
- * Asks for the ranges that a sensor supports.
+ * Gets the ranges that a sensor supports.
  *
  * Also called `calibrated_sensor_ranges`. Answered by
  * mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
@@ -6181,7 +6182,7 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges_response {
-    /** Sensor of the command. A value of enum mip_3dm_sensor_range_type. */
+    /** Sensor given in the command. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
     /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
@@ -6226,14 +6227,15 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+ * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
+ * meant.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6245,12 +6247,12 @@ struct mip_3dm_low_pass_filter {
     /** Whether the field is filtered. Required for write. */
     mip_bool enable;
     /**
-     * True uses the frequency; false follows half the rate of the field in the message format.
-     * Required for write.
+     * True uses `frequency`; false uses half the rate of the field in the message format. Required
+     * for write.
      */
     mip_bool manual;
     /**
-     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+     * Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
      * Required for write.
      */
     float frequency;
@@ -6290,7 +6292,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->frequency = frequency;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6342,9 +6344,11 @@ struct mip_3dm_low_pass_filter_response {
     uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;
-    /** True uses the frequency; false follows half the rate of the field in the message format. */
+    /** True uses `frequency`; false uses half the rate of the field in the message format. */
     mip_bool manual;
-    /** Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz. */
+    /**
+     * Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
+     */
     float frequency;
 };
 
@@ -6407,7 +6411,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
 /**
  * Device Status: command (0x0C,0x64).
  *
- * Asks for the state of the device, in short or with counters.
+ * Gets the state of the device, in basic form or with counters.
  *
  * For advanced use. Answered by mip_3dm_device_status_basic_response,
  * mip_3dm_device_status_basic_stateless_response, mip_3dm_device_status_diagnostic_response,
@@ -6416,9 +6420,9 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The device expects its own model number, which mip_base_get_device_info tells.
+ * The device expects its own model number, which mip_base_get_device_info returns.
  *
- * Families of devices answer in layouts of their own. The selector and the length tell them apart.
+ * Families of devices answer in different layouts. The selector and the length distinguish them.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -6427,11 +6431,11 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  */
 struct mip_3dm_device_status {
     /**
-     * Model number of the device that is asked. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35:
+     * Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35:
      * always 6252. On the 3DM-GX5-45: always 6251.
      */
     uint16_t model_number;
-    /** How much the answer tells. A value of enum mip_3dm_device_status_selector. */
+    /** Level of detail of the answer. A value of enum mip_3dm_device_status_selector. */
     uint8_t status_selector;
 };
 
@@ -6499,11 +6503,11 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
- * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_stateless_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6547,18 +6551,18 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
- * Timer alone.
+ * Timer only.
  *
- * In full: 3dm.device_status_basic_without_state_response.
+ * Full name: 3dm.device_status_basic_without_state_response.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
- * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
- * the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the
- * 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the layout with a
- * state for that device.
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL
+ * has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
+ * manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the
+ * layout with a state for that device.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6604,14 +6608,14 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  *
  * State and timer with the counters of streams and port.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_gnss_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6679,17 +6683,17 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  *
  * State and timer with the counters of pulses, streams, port and receiver.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
- * the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a manual. Uncertain:
- * MSCL names the values only; the descriptions follow from the names, and times in ms from the
- * system timer.
+ * the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL
+ * only names the values; the descriptions follow from the names, and the times are assumed to be in
+ * ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6773,17 +6777,17 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
- * The layout with GNSS, and what could not be started.
+ * The layout with GNSS, plus what could not be started.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
- * descriptions follow from the names, and times in ms from the system timer.
+ * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * follow from the names, and the times are assumed to be in ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6873,17 +6877,17 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
- * The layout with GNSS, and the temperature.
+ * The layout with GNSS, plus the temperature.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
- * descriptions follow from the names, and times in ms from the system timer.
+ * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * follow from the names, and the times are assumed to be in ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6904,7 +6908,7 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint8_t gnss_power_state;
     /** Whether the receiver starts cold at power-on. */
     uint8_t cold_start_on_power_on;
-    /** Of the board. Unit: degC. Uncertain: The unit is inferred. */
+    /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
     /** System timer at the last temperature. Unit: ms. */
     uint32_t temperature_last_time;
@@ -6975,16 +6979,17 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  *
  * Timer with the counters of pulses, streams, port and USB.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No manual is known that prints it for
- * these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the
- * values only; the descriptions follow from the names, and times in ms from the system timer.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual gives it for these
+ * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names
+ * the values; the descriptions follow from the names, and the times are assumed to be in ms like
+ * the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -7062,19 +7067,19 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *
- * Timer with the sensors that there are, temperature, and the counters of pulses, stream and port.
+ * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for the 3DM-GX5-10,
- * 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values
- * only; the descriptions follow from the names, and times in ms from the system timer. Uncertain:
- * The units of the ranges are open.
+ * 3DM-CX5-10 and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the
+ * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
+ * Uncertain: The units of the ranges are not known.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -7101,7 +7106,7 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint16_t accel_range;
     /** Reserved. */
     uint32_t reserved;
-    /** Of the board. Unit: degC. Uncertain: The unit is inferred. */
+    /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
     /** System timer at the last temperature. Unit: ms. */
     uint32_t temperature_last_time;

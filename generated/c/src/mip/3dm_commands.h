@@ -41,7 +41,8 @@ mip_call_3dm_poll_imu_data(struct mip_device *device, mip_bool suppress_ack,
 }
 
 /**
- * Poll IMU Data: calls the command with these values, optional parameters too. See mip_device_call.
+ * Poll IMU Data: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_poll_imu_data_with(
     struct mip_device *device, const struct mip_3dm_poll_imu_data *command) {
@@ -73,7 +74,7 @@ static inline struct mip_result mip_call_3dm_poll_gnss_data(
 }
 
 /**
- * Poll GNSS Data: calls the command with these values, optional parameters too. See
+ * Poll GNSS Data: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
@@ -107,8 +108,8 @@ static inline struct mip_result mip_call_3dm_poll_filter_data(
 }
 
 /**
- * Poll Estimation Filter Data: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Poll Estimation Filter Data: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_poll_filter_data_with(
     struct mip_device *device, const struct mip_3dm_poll_filter_data *command) {
@@ -139,7 +140,7 @@ mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, ui
 }
 
 /**
- * Poll NMEA Data: calls the command with these values, optional parameters too. See
+ * Poll NMEA Data: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
@@ -152,7 +153,7 @@ extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMU Data Base
- * Rate. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_imu_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -173,7 +174,7 @@ extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get GNSS Data Base
- * Rate. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_gnss_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -194,7 +195,7 @@ extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. IMU Message Format.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_imu_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -214,7 +215,7 @@ mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_des
                            NULL, NULL);
 }
 
-/** IMU Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** IMU Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_read(
     struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
     struct mip_3dm_imu_message_format command;
@@ -247,7 +248,7 @@ static inline struct mip_result mip_call_3dm_imu_message_format_default(struct m
 }
 
 /**
- * IMU Message Format: calls the command with these values, optional parameters too. See
+ * IMU Message Format: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_imu_message_format_with(
@@ -262,7 +263,7 @@ extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Message Format.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -282,7 +283,7 @@ mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_de
         mip_3dm_gnss_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
 }
 
-/** GNSS Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_message_format_read(
     struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
     struct mip_3dm_gnss_message_format command;
@@ -316,7 +317,7 @@ mip_call_3dm_gnss_message_format_default(struct mip_device *device) {
 }
 
 /**
- * GNSS Message Format: calls the command with these values, optional parameters too. See
+ * GNSS Message Format: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_message_format_with(
@@ -331,7 +332,8 @@ extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation Filter
- * Message Format. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Message Format. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_filter_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -352,7 +354,7 @@ mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_
 }
 
 /**
- * Estimation Filter Message Format: read. Send the current setting back in a response. See
+ * Estimation Filter Message Format: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_filter_message_format_read(
@@ -391,8 +393,8 @@ mip_call_3dm_filter_message_format_default(struct mip_device *device) {
 }
 
 /**
- * Estimation Filter Message Format: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Estimation Filter Message Format: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_filter_message_format_with(
     struct mip_device *device, const struct mip_3dm_filter_message_format *command,
@@ -406,7 +408,8 @@ extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Estimation Filter
- * Data Base Rate. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Data Base Rate. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_get_filter_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -427,7 +430,7 @@ extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. NMEA Message Format.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_nmea_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -446,7 +449,7 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_write(
                            NULL);
 }
 
-/** NMEA Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** NMEA Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_nmea_message_format_read(
     struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
     struct mip_3dm_nmea_message_format command;
@@ -480,7 +483,7 @@ mip_call_3dm_nmea_message_format_default(struct mip_device *device) {
 }
 
 /**
- * NMEA Message Format: calls the command with these values, optional parameters too. See
+ * NMEA Message Format: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_nmea_message_format_with(
@@ -516,7 +519,10 @@ static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device
                            NULL, NULL);
 }
 
-/** Poll Data: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Poll Data: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
 static inline struct mip_result
 mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll_data *command) {
     return mip_device_call(device, &mip_3dm_poll_data_command, command, NULL, NULL);
@@ -527,7 +533,7 @@ extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Data Base Rate.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
                                                    struct mip_request *request,
@@ -550,7 +556,7 @@ mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
 }
 
 /**
- * Get Data Base Rate: calls the command with these values, optional parameters too. See
+ * Get Data Base Rate: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_get_base_rate_with(
@@ -564,8 +570,8 @@ static inline struct mip_result mip_call_3dm_get_base_rate_with(
 extern MIP_API const struct mip_command mip_3dm_message_format_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Message Format. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Message Format. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -586,7 +592,7 @@ static inline struct mip_result mip_call_3dm_message_format_write(
         NULL);
 }
 
-/** Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
                                  struct mip_3dm_message_format_response *response) {
@@ -621,7 +627,7 @@ static inline struct mip_result mip_call_3dm_message_format_default(struct mip_d
 }
 
 /**
- * Message Format: calls the command with these values, optional parameters too. See
+ * Message Format: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_message_format_with(
@@ -653,7 +659,7 @@ static inline struct mip_result mip_call_3dm_factory_streaming(
 }
 
 /**
- * Factory Streaming: calls the command with these values, optional parameters too. See
+ * Factory Streaming: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_factory_streaming_with(
@@ -666,7 +672,7 @@ extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Data Stream Control.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_data_stream_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -686,7 +692,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
                            NULL, NULL);
 }
 
-/** Data Stream Control: read. Send the current setting back in a response. See mip_device_call. */
+/** Data Stream Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
                                       struct mip_3dm_data_stream_control_response *response) {
@@ -724,7 +730,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_default(struct 
 }
 
 /**
- * Data Stream Control: calls the command with these values, optional parameters too. See
+ * Data Stream Control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_with(
@@ -739,7 +745,7 @@ extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Constellation
- * Settings. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Settings. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_constellation_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -760,9 +766,7 @@ static inline struct mip_result mip_call_3dm_constellation_settings_write(
         NULL);
 }
 
-/**
- * Constellation Settings: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Constellation Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_constellation_settings_read(
     struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
     struct mip_3dm_constellation_settings command;
@@ -799,7 +803,7 @@ mip_call_3dm_constellation_settings_default(struct mip_device *device) {
 }
 
 /**
- * Constellation Settings: calls the command with these values, optional parameters too. See
+ * Constellation Settings: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_constellation_settings_with(
@@ -814,7 +818,7 @@ extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS SBAS Settings.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_sbas_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -835,7 +839,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
                            NULL, NULL);
 }
 
-/** GNSS SBAS Settings: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS SBAS Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
     struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
     struct mip_3dm_gnss_sbas_settings command;
@@ -868,7 +872,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_default(struct m
 }
 
 /**
- * GNSS SBAS Settings: calls the command with these values, optional parameters too. See
+ * GNSS SBAS Settings: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
@@ -882,8 +886,8 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
 extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Assisted Fix.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Assisted Fix. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_assisted_fix(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -901,7 +905,7 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
                            mip_3dm_gnss_assisted_fix_write(&command, option), NULL, NULL);
 }
 
-/** GNSS Assisted Fix: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Assisted Fix: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
     struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
     struct mip_3dm_gnss_assisted_fix command;
@@ -934,7 +938,7 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_default(struct mi
 }
 
 /**
- * GNSS Assisted Fix: calls the command with these values, optional parameters too. See
+ * GNSS Assisted Fix: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
@@ -949,7 +953,7 @@ extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Time Assistance.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_time_assistance(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -970,7 +974,7 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct m
                            NULL, NULL);
 }
 
-/** GNSS Time Assistance: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Time Assistance: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
     struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
     struct mip_3dm_gnss_time_assistance command;
@@ -980,7 +984,7 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
 }
 
 /**
- * GNSS Time Assistance: calls the command with these values, optional parameters too. See
+ * GNSS Time Assistance: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
@@ -995,7 +999,7 @@ extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. PPS Source Control.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_pps_source_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1013,7 +1017,7 @@ mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pp
                            mip_3dm_pps_source_control_write(&command, source), NULL, NULL);
 }
 
-/** PPS Source Control: read. Send the current setting back in a response. See mip_device_call. */
+/** PPS Source Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_read(
     struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
     struct mip_3dm_pps_source_control command;
@@ -1046,7 +1050,7 @@ static inline struct mip_result mip_call_3dm_pps_source_control_default(struct m
 }
 
 /**
- * PPS Source Control: calls the command with these values, optional parameters too. See
+ * PPS Source Control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_pps_source_control_with(
@@ -1061,7 +1065,7 @@ extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Supported Events.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_support(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1082,7 +1086,7 @@ mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_sup
 }
 
 /**
- * Get Supported Events: calls the command with these values, optional parameters too. See
+ * Get Supported Events: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_get_event_support_with(
@@ -1096,8 +1100,8 @@ static inline struct mip_result mip_call_3dm_get_event_support_with(
 extern MIP_API const struct mip_command mip_3dm_event_control_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Event Control. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Event Control. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
                                                    struct mip_request *request,
@@ -1118,7 +1122,7 @@ static inline struct mip_result mip_call_3dm_event_control_write(struct mip_devi
                            mip_3dm_event_control_write(&command, instance, mode), NULL, NULL);
 }
 
-/** Event Control: read. Send the current setting back in a response. See mip_device_call. */
+/** Event Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_event_control_read(
     struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
     struct mip_3dm_event_control command;
@@ -1152,7 +1156,8 @@ static inline struct mip_result mip_call_3dm_event_control_default(struct mip_de
 }
 
 /**
- * Event Control: calls the command with these values, optional parameters too. See mip_device_call.
+ * Event Control: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_event_control_with(
     struct mip_device *device, const struct mip_3dm_event_control *command,
@@ -1166,7 +1171,7 @@ extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Trigger
- * Status. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Status. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_trigger_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1189,7 +1194,7 @@ static inline struct mip_result mip_call_3dm_get_event_trigger_status(
 }
 
 /**
- * Get Event Trigger Status: calls the command with these values, optional parameters too. See
+ * Get Event Trigger Status: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
@@ -1204,7 +1209,7 @@ extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Action
- * Status. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Status. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_action_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1226,7 +1231,7 @@ static inline struct mip_result mip_call_3dm_get_event_action_status(
 }
 
 /**
- * Get Event Action Status: calls the command with these values, optional parameters too. See
+ * Get Event Action Status: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_get_event_action_status_with(
@@ -1241,7 +1246,8 @@ extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Event Trigger
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_event_trigger_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1262,8 +1268,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_write(
 }
 
 /**
- * Event Trigger Configuration: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Event Trigger Configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
@@ -1302,8 +1307,8 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct
 }
 
 /**
- * Event Trigger Configuration: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Event Trigger Configuration: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_with(
     struct mip_device *device, const struct mip_3dm_event_trigger_config *command,
@@ -1317,7 +1322,8 @@ extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Event Action
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_event_action_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1339,8 +1345,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_write(
 }
 
 /**
- * Event Action Configuration: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Event Action Configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
@@ -1379,8 +1384,8 @@ static inline struct mip_result mip_call_3dm_event_action_config_default(struct 
 }
 
 /**
- * Event Action Configuration: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Event Action Configuration: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_event_action_config_with(
     struct mip_device *device, const struct mip_3dm_event_action_config *command,
@@ -1430,7 +1435,7 @@ static inline struct mip_result mip_call_3dm_device_settings_default(struct mip_
 }
 
 /**
- * Device Start Up Settings: calls the command with these values, optional parameters too. See
+ * Device Start Up Settings: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_device_settings_with(
@@ -1443,8 +1448,8 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_euler_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Euler. The response goes to `response`, which may be NULL, if the command
- * asks for it.
+ * Frame Transformation Euler. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1466,8 +1471,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: read. Send the current setting back in a response.
- * See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Euler: read. Return the current setting in a response. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_euler_response *response) {
@@ -1510,8 +1515,8 @@ mip_call_3dm_sensor_to_vehicle_euler_default(struct mip_device *device) {
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Euler: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_with(
     struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_euler *command,
@@ -1525,8 +1530,8 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Quaternion. The response goes to `response`, which may be NULL, if the
- * command asks for it.
+ * Frame Transformation Quaternion. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1549,7 +1554,7 @@ mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: read. Send the current setting back in a
+ * Sensor-to-Vehicle Frame Transformation Quaternion: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
@@ -1594,8 +1599,8 @@ mip_call_3dm_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Quaternion: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_with(
     struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_quaternion *command,
@@ -1609,8 +1614,8 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Direction Cosine Matrix. The response goes to `response`, which may be NULL,
- * if the command asks for it.
+ * Frame Transformation Direction Cosine Matrix. If the command requests the response, it is stored
+ * in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1632,8 +1637,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct 
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Send the current setting
- * back in a response. See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Return the current setting
+ * in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
@@ -1676,7 +1681,7 @@ mip_call_3dm_sensor_to_vehicle_dcm_default(struct mip_device *device) {
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: calls the command with these
- * values, optional parameters too. See mip_device_call.
+ * values, including optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_with(
     struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_dcm *command,
@@ -1690,7 +1695,8 @@ extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer Bias
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
                                                 struct mip_request *request,
@@ -1711,7 +1717,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device 
 }
 
 /**
- * Accelerometer Bias Configuration: read. Send the current setting back in a response. See
+ * Accelerometer Bias Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_read(
@@ -1759,8 +1765,8 @@ static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device 
 }
 
 /**
- * Accelerometer Bias Configuration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Accelerometer Bias Configuration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_accel_bias *command,
@@ -1774,7 +1780,8 @@ extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope Bias
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
                                                struct mip_request *request,
@@ -1795,7 +1802,7 @@ static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *
 }
 
 /**
- * Gyroscope Bias Configuration: read. Send the current setting back in a response. See
+ * Gyroscope Bias Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_read(
@@ -1841,8 +1848,8 @@ static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *
 }
 
 /**
- * Gyroscope Bias Configuration: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Gyroscope Bias Configuration: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro_bias *command,
@@ -1856,7 +1863,7 @@ extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Capture Gyroscope
- * Bias. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Bias. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_capture_gyro_bias(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1877,7 +1884,7 @@ mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_tim
 }
 
 /**
- * Capture Gyroscope Bias: calls the command with these values, optional parameters too. See
+ * Capture Gyroscope Bias: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
@@ -1892,7 +1899,7 @@ extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Hard
- * Iron Offset. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Iron Offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_mag_hard_iron_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1911,7 +1918,7 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct m
 }
 
 /**
- * Magnetometer Hard Iron Offset: read. Send the current setting back in a response. See
+ * Magnetometer Hard Iron Offset: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
@@ -1961,8 +1968,8 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct m
 }
 
 /**
- * Magnetometer Hard Iron Offset: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetometer Hard Iron Offset: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
     struct mip_device *device, const struct mip_3dm_mag_hard_iron_offset *command,
@@ -1976,7 +1983,7 @@ extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Soft
- * Iron Matrix. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Iron Matrix. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1995,7 +2002,7 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct m
 }
 
 /**
- * Magnetometer Soft Iron Matrix: read. Send the current setting back in a response. See
+ * Magnetometer Soft Iron Matrix: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
@@ -2045,8 +2052,8 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct m
 }
 
 /**
- * Magnetometer Soft Iron Matrix: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetometer Soft Iron Matrix: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
     struct mip_device *device, const struct mip_3dm_mag_soft_iron_matrix *command,
@@ -2060,7 +2067,7 @@ extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Coning and Sculling
- * Enable. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Enable. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_coning_sculling_enable(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2079,8 +2086,7 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct
 }
 
 /**
- * Coning and Sculling Enable: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Coning and Sculling Enable: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
     struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
@@ -2118,8 +2124,8 @@ mip_call_3dm_coning_sculling_enable_default(struct mip_device *device) {
 }
 
 /**
- * Coning and Sculling Enable: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Coning and Sculling Enable: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
     struct mip_device *device, const struct mip_3dm_coning_sculling_enable *command,
@@ -2132,8 +2138,8 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
 extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. UART Baud Rate. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. UART Baud Rate. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_uart_baud_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2151,7 +2157,7 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_dev
                            mip_3dm_uart_baud_rate_write(&command, baud), NULL, NULL);
 }
 
-/** UART Baud Rate: read. Send the current setting back in a response. See mip_device_call. */
+/** UART Baud Rate: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
     struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
     struct mip_3dm_uart_baud_rate command;
@@ -2182,7 +2188,7 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_default(struct mip_d
 }
 
 /**
- * UART Baud Rate: calls the command with these values, optional parameters too. See
+ * UART Baud Rate: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
@@ -2197,7 +2203,7 @@ extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO Configuration.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gpio_config(struct mip_client *client,
                                                  struct mip_request *request,
@@ -2221,7 +2227,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
                            NULL, NULL);
 }
 
-/** GPIO Configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** GPIO Configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gpio_config_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
     struct mip_3dm_gpio_config command;
@@ -2257,7 +2263,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_devi
 }
 
 /**
- * GPIO Configuration: calls the command with these values, optional parameters too. See
+ * GPIO Configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result
@@ -2271,8 +2277,8 @@ mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gp
 extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO State. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO State. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
                                                 struct mip_request *request,
@@ -2292,7 +2298,7 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
                            mip_3dm_gpio_state_write(&command, pin, state), NULL, NULL);
 }
 
-/** GPIO State: read. Send the current setting back in a response. See mip_device_call. */
+/** GPIO State: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gpio_state_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
     struct mip_3dm_gpio_state command;
@@ -2302,7 +2308,8 @@ static inline struct mip_result mip_call_3dm_gpio_state_read(
 }
 
 /**
- * GPIO State: calls the command with these values, optional parameters too. See mip_device_call.
+ * GPIO State: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpio_state *command,
@@ -2316,7 +2323,8 @@ extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Odometer
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_odometer_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2337,9 +2345,7 @@ static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_de
                            NULL, NULL);
 }
 
-/**
- * Odometer Configuration: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Odometer Configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_read(
     struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
     struct mip_3dm_odometer_config command;
@@ -2373,7 +2379,7 @@ static inline struct mip_result mip_call_3dm_odometer_config_default(struct mip_
 }
 
 /**
- * Odometer Configuration: calls the command with these values, optional parameters too. See
+ * Odometer Configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_odometer_config_with(
@@ -2388,7 +2394,8 @@ extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Advanced Low-Pass
- * Filter Settings. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Filter Settings. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_imu_low_pass_filter(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2412,7 +2419,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 }
 
 /**
- * Advanced Low-Pass Filter Settings: read. Send the current setting back in a response. See
+ * Advanced Low-Pass Filter Settings: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result
@@ -2458,8 +2465,8 @@ mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t targ
 }
 
 /**
- * Advanced Low-Pass Filter Settings: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Advanced Low-Pass Filter Settings: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
     struct mip_device *device, const struct mip_3dm_imu_low_pass_filter *command,
@@ -2473,7 +2480,8 @@ extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Complementary Filter
- * Configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_3dm_complementary_filter(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2496,7 +2504,7 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
 }
 
 /**
- * Complementary Filter Configuration: read. Send the current setting back in a response. See
+ * Complementary Filter Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_read(
@@ -2536,8 +2544,8 @@ mip_call_3dm_complementary_filter_default(struct mip_device *device) {
 }
 
 /**
- * Complementary Filter Configuration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Complementary Filter Configuration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_with(
     struct mip_device *device, const struct mip_3dm_complementary_filter *command,
@@ -2550,8 +2558,8 @@ static inline struct mip_result mip_call_3dm_complementary_filter_with(
 extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor Range. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor Range. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
                                                   struct mip_request *request,
@@ -2571,7 +2579,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
                            mip_3dm_sensor_range_write(&command, sensor, setting), NULL, NULL);
 }
 
-/** Sensor Range: read. Send the current setting back in a response. See mip_device_call. */
+/** Sensor Range: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
                                struct mip_3dm_sensor_range_response *response) {
@@ -2606,7 +2614,8 @@ static inline struct mip_result mip_call_3dm_sensor_range_default(
 }
 
 /**
- * Sensor Range: calls the command with these values, optional parameters too. See mip_device_call.
+ * Sensor Range: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_range_with(
     struct mip_device *device, const struct mip_3dm_sensor_range *command,
@@ -2620,7 +2629,7 @@ extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get Calibrated Sensor
- * Ranges. The response goes to `response`, which may be NULL, if the command asks for it.
+ * Ranges. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2642,8 +2651,8 @@ static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
 }
 
 /**
- * Get Calibrated Sensor Ranges: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Get Calibrated Sensor Ranges: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
     struct mip_device *device, const struct mip_3dm_get_calibrated_sensor_ranges *command,
@@ -2657,8 +2666,8 @@ extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Low-Pass
- * Anti-Aliasing Filter. The response goes to `response`, which may be NULL, if the command asks for
- * it.
+ * Anti-Aliasing Filter. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_3dm_low_pass_filter(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2682,7 +2691,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: read. Send the current setting back in a response. See
+ * Low-Pass Anti-Aliasing Filter: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_read(
@@ -2730,8 +2739,8 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Low-Pass Anti-Aliasing Filter: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_with(
     struct mip_device *device, const struct mip_3dm_low_pass_filter *command,
@@ -2754,8 +2763,8 @@ static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2766,8 +2775,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_stateless_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2778,8 +2787,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_stateless_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2790,8 +2799,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2802,8 +2811,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2814,8 +2823,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_respons
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2826,8 +2835,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_respons
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2838,8 +2847,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2948,7 +2957,8 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 }
 
 /**
- * Device Status: calls the command with these values, optional parameters too. See mip_device_call.
+ * Device Status: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_device_status_with(
     struct mip_device *device, const struct mip_3dm_device_status *command) {

@@ -44,7 +44,7 @@ enum mip_aiding_echo_mode {
     MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
     /** Acknowledge as for any command. */
     MIP_AIDING_ECHO_MODE_STANDARD = 1,
-    /** The data come back in a response. */
+    /** The data is returned in a response. */
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
 };
 
@@ -117,15 +117,15 @@ union mip_aiding_frame_config_rotation {
  *
  * The rotation does not matter for GNSS positions and velocities; set it to zero.
  *
- * A read names the format that the answer shall have.
+ * A read selects the format of the answer.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
 struct mip_aiding_frame_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -185,7 +185,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -292,13 +292,15 @@ static inline mip_error mip_aiding_frame_config_response_encode(
  */
 struct mip_aiding_echo_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** How they are answered. A value of enum mip_aiding_echo_mode. Required for write. */
+    /**
+     * How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for write.
+     */
     uint8_t mode;
 };
 
@@ -331,7 +333,7 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
@@ -369,7 +371,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control_response {
-    /** How they are answered. A value of enum mip_aiding_echo_mode. */
+    /** How the measurements are answered. A value of enum mip_aiding_echo_mode. */
     uint8_t mode;
 };
 
@@ -443,15 +445,15 @@ struct mip_aiding_ecef_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     double position[3];
     /**
      * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
-     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -577,8 +579,8 @@ struct mip_aiding_llh_position {
     double height;
     /**
      * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
-     * valid_flags, y by MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z by
+     * greater than 0. Each element has its own valid flag. x: MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+     * valid_flags, y: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z:
      * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
      */
     float uncertainty[3];
@@ -778,7 +780,8 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -792,15 +795,15 @@ struct mip_aiding_ecef_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
-     * 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -898,7 +901,8 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -912,15 +916,15 @@ struct mip_aiding_ned_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -1016,15 +1020,14 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
- * The device takes up to four sensors of this kind.
+ * The device supports up to four sensors of this kind.
  *
- * A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
- * second.
+ * A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per second.
  *
- * With z valid too, and 0, the vehicle moves in a plane only (2D mode).
+ * With z also valid and 0, motion is constrained to a plane (2D mode).
  *
- * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
- * user.
+ * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen
+ * by the user.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -1039,15 +1042,15 @@ struct mip_aiding_body_frame_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
+     * x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
-     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
-     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
      * valid_flags.
      */
     float uncertainty[3];
@@ -1257,15 +1260,15 @@ struct mip_aiding_magnetic_field {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
-     * bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
+     * flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags,
+     * z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float magnetic_field[3];
     /**
      * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
-     * Range: greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
-     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
      * valid_flags.
      */
     float uncertainty[3];

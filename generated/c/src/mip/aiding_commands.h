@@ -21,7 +21,7 @@ extern MIP_API const struct mip_command mip_aiding_frame_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Frame configuration.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_aiding_frame_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -43,7 +43,7 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
                            NULL, NULL);
 }
 
-/** Frame configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** Frame configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     struct mip_aiding_frame_config_response *response) {
@@ -80,7 +80,7 @@ static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_
 }
 
 /**
- * Frame configuration: calls the command with these values, optional parameters too. See
+ * Frame configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_frame_config_with(
@@ -94,8 +94,8 @@ static inline struct mip_result mip_call_aiding_frame_config_with(
 extern MIP_API const struct mip_command mip_aiding_echo_control_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Echo control. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Echo control. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_aiding_echo_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -113,7 +113,7 @@ static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_de
                            mip_aiding_echo_control_write(&command, mode), NULL, NULL);
 }
 
-/** Echo control: read. Send the current setting back in a response. See mip_device_call. */
+/** Echo control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_read(
     struct mip_device *device, struct mip_aiding_echo_control_response *response) {
     struct mip_aiding_echo_control command;
@@ -144,7 +144,8 @@ static inline struct mip_result mip_call_aiding_echo_control_default(struct mip_
 }
 
 /**
- * Echo control: calls the command with these values, optional parameters too. See mip_device_call.
+ * Echo control: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_echo_control_with(
     struct mip_device *device, const struct mip_aiding_echo_control *command,
@@ -176,7 +177,8 @@ static inline struct mip_result mip_call_aiding_ecef_position(
 }
 
 /**
- * ECEF position: calls the command with these values, optional parameters too. See mip_device_call.
+ * ECEF position: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_ecef_position_with(
     struct mip_device *device, const struct mip_aiding_ecef_position *command) {
@@ -210,7 +212,8 @@ static inline struct mip_result mip_call_aiding_llh_position(
 }
 
 /**
- * LLH position: calls the command with these values, optional parameters too. See mip_device_call.
+ * LLH position: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_llh_position_with(
     struct mip_device *device, const struct mip_aiding_llh_position *command) {
@@ -243,7 +246,7 @@ static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
 }
 
 /**
- * Height above ellipsoid: calls the command with these values, optional parameters too. See
+ * Height above ellipsoid: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
@@ -274,7 +277,8 @@ static inline struct mip_result mip_call_aiding_ecef_velocity(
 }
 
 /**
- * ECEF velocity: calls the command with these values, optional parameters too. See mip_device_call.
+ * ECEF velocity: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_ecef_velocity_with(
     struct mip_device *device, const struct mip_aiding_ecef_velocity *command) {
@@ -306,7 +310,8 @@ static inline struct mip_result mip_call_aiding_ned_velocity(
 }
 
 /**
- * NED velocity: calls the command with these values, optional parameters too. See mip_device_call.
+ * NED velocity: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_ned_velocity_with(
     struct mip_device *device, const struct mip_aiding_ned_velocity *command) {
@@ -338,7 +343,7 @@ static inline struct mip_result mip_call_aiding_body_frame_velocity(
 }
 
 /**
- * Body frame velocity: calls the command with these values, optional parameters too. See
+ * Body frame velocity: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
@@ -371,7 +376,8 @@ static inline struct mip_result mip_call_aiding_true_heading(
 }
 
 /**
- * True heading: calls the command with these values, optional parameters too. See mip_device_call.
+ * True heading: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_true_heading_with(
     struct mip_device *device, const struct mip_aiding_true_heading *command) {
@@ -401,7 +407,7 @@ static inline struct mip_result mip_call_aiding_magnetic_field(
 }
 
 /**
- * Magnetic field: calls the command with these values, optional parameters too. See
+ * Magnetic field: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_aiding_magnetic_field_with(
@@ -433,7 +439,10 @@ static inline struct mip_result mip_call_aiding_pressure(
         NULL, NULL);
 }
 
-/** Pressure: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Pressure: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
 static inline struct mip_result mip_call_aiding_pressure_with(
     struct mip_device *device, const struct mip_aiding_pressure *command) {
     return mip_device_call(device, &mip_aiding_pressure_command, command, NULL, NULL);

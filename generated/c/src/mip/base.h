@@ -4,7 +4,7 @@
  * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
  * self test, reset.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_BASE_H
 #define MIP_BASE_H
@@ -29,7 +29,7 @@ extern "C" {
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
  */
 struct mip_base_device_info {
-    /** Firmware version as one decimal number: 1202 stands for 1.2.02. */
+    /** Firmware version as one decimal number: 1202 means 1.2.02. */
     uint16_t firmware_version;
     /** Name of the model. */
     char model_name[17];
@@ -57,7 +57,7 @@ MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
 /**
  * Ping: command (0x01,0x01).
  *
- * Asks whether a device is there and answers commands.
+ * Checks whether a device is present and answers commands.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
@@ -97,13 +97,13 @@ static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
 /**
  * Set to idle: command (0x01,0x02).
  *
- * Stops all data streams, and wakes a sleeping device, so that it can be set up.
+ * Stops all data streams, and wakes a sleeping device, so that it can be configured.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The resume command restores the previous mode.
  *
- * While idle the device sends no NMEA sentences either.
+ * While idle, the device does not send NMEA sentences either.
  *
  * - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
  * - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -258,8 +258,8 @@ static inline mip_error mip_base_get_device_info_response_encode_inline(
  * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * If the list contains the descriptor of mip_base_get_extended_descriptors, that command gives
- * more.
+ * If the list contains the descriptor of mip_base_get_extended_descriptors, that command returns
+ * further descriptors.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -338,15 +338,14 @@ static inline mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: How long
- * the test takes at most. The manual of the 3DM-CV7 says several seconds; 10 s leaves room for
- * that.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The maximum
+ * duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
  * The device must be at rest; acceleration, rotation or vibration cause false failures.
  *
- * The continuous built-in test, where there is one, tells more about a failure.
+ * The continuous built-in test, if the device has it, gives more detail about a failure.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -393,7 +392,7 @@ struct mip_base_built_in_test_response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed. On the
      * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
-     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are not known. On the 3DM-GX5-15: values of
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-GX5-15: values of
      * mip_gx5_built_in_test.
      */
     uint32_t result;
@@ -577,8 +576,8 @@ static inline mip_error mip_base_get_extended_descriptors_response_encode(
  *
  * It is less thorough than the built-in test command.
  *
- * Each flag stays set until it is reported by this command, apart from the copy of the streamed
- * field.
+ * Each flag stays set until this command reports it; the streamed field has its own copy of the
+ * flags.
  *
  * The self-test flags change only when the built-in test command runs.
  *
@@ -683,18 +682,18 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode_inline
  * Functions: write, read, save, load and default. Answered by mip_base_comm_speed_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The change waits until pending data is sent and received, at most 250 ms.
+ * The change takes effect once pending data is sent and received, after at most 250 ms.
  *
  * Send it alone in a packet while the device is idle, and wait 250 ms before going on.
  *
- * Commands and data during the change may be lost or come at either rate.
+ * Commands and data during the change may be lost, or sent at either rate.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -735,7 +734,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     command->baud = baud;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -847,26 +846,26 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  *
  * Send it within 250 ms after the rising edge of the PPS.
  *
- * The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
+ * The 3DM-GX5-15 needs it once per second, the 3DM-CV7-GNSS/INS at least once.
  *
- * Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
- * needless.
+ * Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS receiver is
+ * the PPS source.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
  */
 struct mip_base_gps_time_update {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** What the value is. A value of enum mip_base_gps_time_field. */
+    /** Meaning of the value. A value of enum mip_base_gps_time_field. */
     uint8_t field_id;
     /**
-     * What `field_id` says. Required for write and apply. If field_id is
+     * Time, as `field_id` says. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
      * field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
      */
@@ -904,7 +903,7 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
     memset(command, 0, sizeof(*command));
@@ -1060,7 +1059,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
 /**
  * Reset device: command (0x01,0x7E).
  *
- * Acknowledges the command, then resets the device at once.
+ * Acknowledges the command, then resets the device immediately.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.

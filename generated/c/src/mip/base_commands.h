@@ -51,7 +51,7 @@ extern MIP_API const struct mip_command mip_base_get_device_info_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * information. The response goes to `response`, which may be NULL, if the command asks for it.
+ * information. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_get_device_info(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -72,7 +72,7 @@ extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * descriptors. The response goes to `response`, which may be NULL, if the command asks for it.
+ * descriptors. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_get_device_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -92,8 +92,8 @@ static inline struct mip_result mip_call_base_get_device_descriptors(
 extern MIP_API const struct mip_command mip_base_built_in_test_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Built-in test. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Built-in test. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_built_in_test(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -129,8 +129,8 @@ extern MIP_API const struct mip_command mip_base_get_extended_descriptors_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * descriptors (extended). The response goes to `response`, which may be NULL, if the command asks
- * for it.
+ * descriptors (extended). If the command requests the response, it is stored in `response`, which
+ * may be NULL.
  */
 static inline mip_error mip_send_base_get_extended_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -151,7 +151,7 @@ extern MIP_API const struct mip_command mip_base_continuous_built_in_test_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Continuous built-in
- * test. The response goes to `response`, which may be NULL, if the command asks for it.
+ * test. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_continuous_built_in_test(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -171,8 +171,8 @@ static inline struct mip_result mip_call_base_continuous_built_in_test(
 extern MIP_API const struct mip_command mip_base_comm_speed_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Comm port speed. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Comm port speed. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
                                                  struct mip_request *request,
@@ -192,7 +192,7 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
                            mip_base_comm_speed_write(&command, port, baud), NULL, NULL);
 }
 
-/** Comm port speed: read. Send the current setting back in a response. See mip_device_call. */
+/** Comm port speed: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
     struct mip_base_comm_speed command;
@@ -226,7 +226,7 @@ static inline struct mip_result mip_call_base_comm_speed_default(struct mip_devi
 }
 
 /**
- * Comm port speed: calls the command with these values, optional parameters too. See
+ * Comm port speed: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result
@@ -248,8 +248,8 @@ static inline mip_error mip_send_base_gps_time_update(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
- * is answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -260,8 +260,8 @@ static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
- * is answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. The
+ * answer is this response.
  */
 static inline mip_error mip_send_for_base_gps_time_update_tow_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -279,7 +279,7 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
                            mip_base_gps_time_update_write(&command, field_id, value), NULL, NULL);
 }
 
-/** GPS time update: read. Send the current setting back in a response. See mip_device_call. */
+/** GPS time update: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_base_gps_time_update_read(
     struct mip_device *device, enum mip_base_gps_time_field field_id) {
     struct mip_base_gps_time_update command;
@@ -288,7 +288,7 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
 }
 
 /**
- * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The answer is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
@@ -301,7 +301,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
 }
 
 /**
- * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The answer is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
@@ -324,7 +324,7 @@ static inline struct mip_result mip_call_base_gps_time_update_apply(
 }
 
 /**
- * GPS time update: calls the command with these values, optional parameters too. See
+ * GPS time update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_base_gps_time_update_with(

@@ -3,7 +3,7 @@
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -247,24 +247,29 @@ enum mip_filter_angular_constraint {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
-/** Which initial conditions the device finds itself and which the user gives. */
+/** Which initial conditions the device determines automatically and which the user provides. */
 enum mip_filter_initial_condition_source {
-    /** Position, velocity and attitude are found. In full: auto_position_velocity_attitude. */
+    /**
+     * Position, velocity and attitude are automatic. Full name: auto_position_velocity_attitude.
+     */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE = 0,
     /**
-     * Position, velocity, pitch and roll are found; the heading is given. In full:
+     * Position, velocity, pitch and roll are automatic; the user provides the heading. Full name:
      * auto_position_velocity_pitch_roll.
      */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL = 1,
-    /** Position and velocity are found; the attitude is given. In full: auto_position_velocity. */
+    /**
+     * Position and velocity are automatic; the user provides the attitude. Full name:
+     * auto_position_velocity.
+     */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL = 2,
-    /** Position, velocity and attitude are given. */
+    /** The user provides position, velocity and attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
-/** Ways in which the device may find its initial heading. */
+/** Methods by which the device may determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
 /** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
@@ -284,7 +289,7 @@ enum mip_filter_reference_frame {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
-/** How strongly the filter adapts to measurements that do not fit. */
+/** How strongly the filter adapts to inconsistent measurements. */
 enum mip_filter_adaptive_level {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
@@ -320,7 +325,7 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
- * Puts the filter back into its initialization state.
+ * Returns the filter to its initialization state.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
@@ -328,7 +333,8 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
  *
- * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+ * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+ * detected.
  *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -522,7 +528,7 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
- * Starts a filter that was set up to wait for this command.
+ * Starts a filter that is configured to wait for this command.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -564,15 +570,15 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -614,7 +620,7 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
@@ -646,8 +652,8 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
- * SDK only.
+ * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -709,23 +715,23 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
- * In full: filter.sensor_to_vehicle_rotation_euler.
+ * Full name: filter.sensor_to_vehicle_rotation_euler.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_euler.
+ * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_euler {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -769,7 +775,7 @@ static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_ve
     command->yaw = yaw;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -801,7 +807,7 @@ mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_e
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * In full: filter.sensor_to_vehicle_rotation_euler_response.
+ * Full name: filter.sensor_to_vehicle_rotation_euler_response.
  *
  * Answers mip_filter_sensor_to_vehicle_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -875,11 +881,11 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
- * inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
+ * frame, is inferred from the name.
  *
- * It shifts mip_filter_data_llh_position and nothing else.
+ * It shifts only mip_filter_data_llh_position.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
@@ -887,8 +893,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  */
 struct mip_filter_sensor_to_vehicle_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -929,7 +935,7 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -961,8 +967,8 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -1036,15 +1042,15 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
- * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
+ * On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands uses
  * mip_aiding_frame_config.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1085,7 +1091,7 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1193,8 +1199,8 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
  */
 struct mip_filter_estimation_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1241,7 +1247,7 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     command->flags = flags;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
@@ -1338,15 +1344,15 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
- * A change while the filter runs may put it back into initialization until the new source gives
- * data.
+ * A change while the filter is running may return it to initialization until the new source
+ * provides data.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1386,7 +1392,7 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1480,7 +1486,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
  *
  * Gives the filter one position and velocity of a GNSS receiver that the user provides.
  *
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * Refused unless mip_filter_gnss_source selects the external source.
  *
@@ -1706,8 +1712,8 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  */
 struct mip_filter_heading_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1755,7 +1761,7 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1858,8 +1864,8 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
  */
 struct mip_filter_auto_initialization_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1898,7 +1904,7 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_read(
     struct mip_filter_auto_initialization_control *command) {
@@ -2010,8 +2016,8 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
  */
 struct mip_filter_accel_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2052,7 +2058,7 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2161,8 +2167,8 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
  */
 struct mip_filter_gyro_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2203,7 +2209,7 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2309,8 +2315,8 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
  */
 struct mip_filter_accel_bias_model {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2357,7 +2363,7 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2474,8 +2480,8 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
  */
 struct mip_filter_gyro_bias_model {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2522,7 +2528,7 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2630,10 +2636,10 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
- * Lets the filter take the device as standing still while its GNSS speed is small.
+ * Lets the filter assume that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
- * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -2641,15 +2647,15 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  */
 struct mip_filter_auto_zupt {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for write. */
+    /** Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for write. */
     float threshold;
 };
 
@@ -2683,7 +2689,7 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     command->threshold = threshold;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -2715,15 +2721,15 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the
- * MicroStrain MIP SDK only.
+ * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. */
+    /** Highest speed that is treated as zero. Unit: m/s. Range: at least 0. */
     float threshold;
 };
 
@@ -2784,8 +2790,8 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * Better than mip_filter_external_heading_update where the heading changes quickly; the time must
- * be accurate.
+ * Better than mip_filter_external_heading_update if the heading changes quickly; the time must be
+ * accurate.
  *
  * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
@@ -2889,7 +2895,7 @@ mip_filter_external_heading_update_with_time_make(
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
- * Lets the filter take the device as not rotating while its angular rate is small.
+ * Lets the filter assume that the device is not rotating while its angular rate is low.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
@@ -2902,8 +2908,8 @@ mip_filter_external_heading_update_with_time_make(
  */
 struct mip_filter_auto_angular_zupt {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2911,7 +2917,7 @@ struct mip_filter_auto_angular_zupt {
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
-     * Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+     * Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0. Required for
      * write.
      */
     float threshold;
@@ -2947,7 +2953,7 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     command->threshold = threshold;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -2988,7 +2994,7 @@ mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *comman
 struct mip_filter_auto_angular_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
+    /** Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
@@ -3058,8 +3064,8 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
  */
 struct mip_filter_tare_orientation {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3097,7 +3103,7 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     command->axes = axes;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
@@ -3192,9 +3198,9 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
- * Tells the filter once that the device stands still.
+ * Tells the filter once that the device is at rest.
  *
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The highest rate depends on the device.
  *
@@ -3277,8 +3283,8 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
  */
 struct mip_filter_reference_position {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3326,7 +3332,7 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     command->altitude = altitude;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
@@ -3433,7 +3439,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
  * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
- * from the MicroStrain MIP SDK only.
+ * only from the MicroStrain MIP SDK.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
  * mip_3dm_mag_soft_iron_matrix, and resets it.
@@ -3526,8 +3532,8 @@ mip_filter_mag_capture_auto_calibration_save(
  */
 struct mip_filter_gravity_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3568,7 +3574,7 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3668,17 +3674,18 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
- * A small value follows the pressure faster, and takes weather and draughts for changes of height.
+ * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
+ * changes of height.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3716,7 +3723,7 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     command->noise = noise;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3748,8 +3755,8 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -3812,15 +3819,15 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3861,7 +3868,7 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3893,8 +3900,8 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -3961,15 +3968,15 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4010,7 +4017,7 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4042,8 +4049,8 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -4119,8 +4126,8 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
  */
 struct mip_filter_enable_measurements {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4158,7 +4165,7 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     command->control = control;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
@@ -4253,15 +4260,15 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
  * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4302,7 +4309,7 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4334,7 +4341,7 @@ mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -4410,8 +4417,8 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  */
 struct mip_filter_magnetic_declination_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4458,7 +4465,7 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     command->declination = declination;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_read(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4564,7 +4571,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
- * In full: filter.accel_magnitude_error_adaptive_measurement.
+ * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -4575,16 +4582,17 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * Filter and limits take effect only with `fixed`.
  *
- * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
- * and roll accuracy under linear acceleration, low limits cost heading accuracy.
+ * Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the
+ * accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the
+ * heading.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
-     * one.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones; a ..._WITH_... constant for all up to
+     * that one.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4652,7 +4660,7 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     command->adaptive_measurement = (uint8_t)adaptive_measurement;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -4684,7 +4692,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * In full: filter.accel_magnitude_error_adaptive_measurement_response.
+ * Full name: filter.accel_magnitude_error_adaptive_measurement_response.
  *
  * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -4773,25 +4781,25 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  *
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
- * In full: filter.mag_magnitude_error_adaptive_measurement.
+ * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out on write, as
- * those of mip_filter_accel_magnitude_adaptive may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on
+ * write, as those of mip_filter_accel_magnitude_adaptive may.
  *
- * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
- * limits.
+ * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
+ * determines the limits.
  *
- * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
- * the heading.
+ * High limits suit high dynamics but do not reject disturbances of the field; low limits can
+ * degrade the heading.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4806,33 +4814,30 @@ struct mip_filter_mag_magnitude_adaptive {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
+     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
+     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -4875,7 +4880,7 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -4907,10 +4912,10 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * In full: filter.mag_magnitude_error_adaptive_measurement_response.
+ * Full name: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -4920,28 +4925,28 @@ struct mip_filter_mag_magnitude_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
-     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
-     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
-     * of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
+     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5012,24 +5017,24 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  *
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
- * In full: filter.mag_dip_angle_error_adaptive_measurement.
+ * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
  * is set to `auto`.
  *
- * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
- * the heading.
+ * High limits suit high dynamics but do not reject disturbances of the field; low limits can
+ * degrade the heading.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5039,18 +5044,18 @@ struct mip_filter_mag_dip_angle_adaptive {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK prints
+     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK gives
      * m/s^2; rad is inferred from the quantity.
      */
     float high_limit;
     /**
      * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; rad is inferred from the quantity.
+     * The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; rad is inferred from the quantity.
+     * gives m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5089,7 +5094,7 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5121,10 +5126,10 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * In full: filter.mag_dip_angle_error_adaptive_measurement_response.
+ * Full name: filter.mag_dip_angle_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -5134,17 +5139,17 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
      * inferred from the quantity.
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
      * rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
      * inferred from the quantity.
      */
     float minimum_uncertainty;
@@ -5210,21 +5215,21 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
- * What aids the altitude beside GNSS.
+ * What aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * GNSS stays the main source of altitude; the aid improves it and bridges outages.
+ * GNSS remains the main source of altitude; the aid improves it and bridges outages.
  *
- * Weather and place shift the pressure altitude, at times by more than 40 m.
+ * Weather and location shift the pressure altitude, sometimes by more than 40 m.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5264,7 +5269,7 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     command->selector = (uint8_t)selector;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5296,8 +5301,8 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -5366,8 +5371,8 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
  */
 struct mip_filter_pitch_roll_aiding {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5408,7 +5413,7 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     command->aiding = (uint8_t)aiding;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5503,8 +5508,8 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  * Source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_inclination_source_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_magnetic_inclination_source_response. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -5512,8 +5517,8 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  */
 struct mip_filter_magnetic_inclination_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5525,7 +5530,7 @@ struct mip_filter_magnetic_inclination_source {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     * Whether it may be left out if `source` is not manual. The SDK always sends it.
      */
     float inclination;
 };
@@ -5562,7 +5567,7 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->inclination = inclination;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_read(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5599,7 +5604,7 @@ mip_filter_magnetic_inclination_source_default(
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
  * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source. Known
- * from the MicroStrain MIP SDK only.
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -5608,7 +5613,7 @@ struct mip_filter_magnetic_inclination_source_response {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK sends it always.
+     * out if `source` is not manual. The SDK always sends it.
      */
     float inclination;
 };
@@ -5672,8 +5677,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  * Source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_magnitude_source_response. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * Answered by mip_filter_magnetic_magnitude_source_response. Not listed in any device profile.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
@@ -5683,8 +5688,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  */
 struct mip_filter_magnetic_magnitude_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5695,7 +5700,7 @@ struct mip_filter_magnetic_magnitude_source {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     * Whether it may be left out if `source` is not manual. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5732,7 +5737,7 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->magnitude = magnitude;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
@@ -5765,7 +5770,7 @@ mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitud
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
  * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
- * Known from the MicroStrain MIP SDK only.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -5774,7 +5779,7 @@ struct mip_filter_magnetic_magnitude_source_response {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK sends it always.
+     * out if `source` is not manual. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5837,28 +5842,28 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * In full: filter.sensor_to_vehicle_rotation_dcm.
+ * Full name: filter.sensor_to_vehicle_rotation_dcm.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_dcm_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_sensor_to_vehicle_dcm_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
  *
- * The device refuses a matrix that is not orthonormal to 0.001.
+ * The device refuses a matrix that is not orthonormal to within 0.001.
  *
- * The device keeps a quaternion, so the elements read back may differ a little from those written.
+ * The device keeps a quaternion, so the elements read back may differ slightly from those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
 struct mip_filter_sensor_to_vehicle_dcm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5899,7 +5904,7 @@ static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehi
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -5931,9 +5936,9 @@ mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * In full: filter.sensor_to_vehicle_rotation_dcm_response.
+ * Full name: filter.sensor_to_vehicle_rotation_dcm_response.
  *
- * Answers mip_filter_sensor_to_vehicle_dcm. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_dcm. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -6003,26 +6008,26 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  *
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
- * In full: filter.sensor_to_vehicle_rotation_quaternion.
+ * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_quaternion_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_sensor_to_vehicle_quaternion_response. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
  *
- * The device normalizes it, so the elements read back may differ a little from those written.
+ * The device normalizes it, so the elements read back may differ slightly from those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6064,7 +6069,7 @@ mip_filter_sensor_to_vehicle_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_read(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6100,9 +6105,9 @@ mip_filter_sensor_to_vehicle_quaternion_default(
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * In full: filter.sensor_to_vehicle_rotation_quaternion_response.
+ * Full name: filter.sensor_to_vehicle_rotation_quaternion_response.
  *
- * Answers mip_filter_sensor_to_vehicle_quaternion. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_quaternion. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -6181,8 +6186,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  */
 struct mip_filter_aiding_measurement_enable {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6229,7 +6234,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6339,16 +6344,16 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
  * Assumptions about the motion that the filter uses as measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: Whether there are further values. The SDK has plain numbers and gives
- * the values in remarks.
+ * mip_filter_kinematic_constraint_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
+ * gives the values in remarks.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6404,7 +6409,7 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->angular_constraint = (uint8_t)angular_constraint;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -6436,7 +6441,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers mip_filter_kinematic_constraint. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_kinematic_constraint. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -6530,44 +6535,44 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  */
 struct mip_filter_initialization_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. Required
-     * for write.
+     * 1: the filter starts only after mip_filter_run; 0: it starts as soon as it can. Range: 0 to
+     * 1. Required for write.
      */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are found and which are given. A value of enum
+     * Which initial conditions are automatic and which the user provides. A value of enum
      * mip_filter_initial_condition_source. Required for write.
      */
     uint8_t initial_condition_source;
-    /** Ways in which the initial heading may be found. Required for write. */
+    /** Methods by which the initial heading may be determined. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. Required for write. */
+    /** Initial heading that the user provides. Unit: deg. Required for write. */
     float initial_heading;
-    /** Given pitch. Unit: deg. Required for write. */
+    /** Initial pitch that the user provides. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Given roll. Unit: deg. Required for write. */
+    /** Initial roll that the user provides. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. Required for write. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * Initial position that the user provides. Elements: x, y, z. Required for write. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. Required for write. If reference_frame_selector
-     * is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
     /**
-     * Frame of the given position and velocity. A value of enum mip_filter_reference_frame.
+     * Frame of the initial position and velocity. A value of enum mip_filter_reference_frame.
      * Required for write.
      */
     uint8_t reference_frame_selector;
@@ -6614,7 +6619,7 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     command->reference_frame_selector = (uint8_t)reference_frame_selector;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
@@ -6652,34 +6657,37 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config_response {
-    /** 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. */
+    /**
+     * 1: the filter starts only after mip_filter_run; 0: it starts as soon as it can. Range: 0 to
+     * 1.
+     */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are found and which are given. A value of enum
+     * Which initial conditions are automatic and which the user provides. A value of enum
      * mip_filter_initial_condition_source.
      */
     uint8_t initial_condition_source;
-    /** Ways in which the initial heading may be found. */
+    /** Methods by which the initial heading may be determined. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. */
+    /** Initial heading that the user provides. Unit: deg. */
     float initial_heading;
-    /** Given pitch. Unit: deg. */
+    /** Initial pitch that the user provides. Unit: deg. */
     float initial_pitch;
-    /** Given roll. Unit: deg. */
+    /** Initial roll that the user provides. Unit: deg. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. If reference_frame_selector is
+     * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. A value of enum mip_filter_reference_frame. */
+    /** Frame of the initial position and velocity. A value of enum mip_filter_reference_frame. */
     uint8_t reference_frame_selector;
 };
 
@@ -6767,8 +6775,8 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
  */
 struct mip_filter_adaptive_filter_options {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6817,7 +6825,7 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     command->time_limit = time_limit;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
@@ -6922,8 +6930,8 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
  */
 struct mip_filter_multi_antenna_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6968,7 +6976,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7084,8 +7092,8 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
  */
 struct mip_filter_relative_position_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7140,7 +7148,7 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
            sizeof(command->reference_coordinates));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7263,8 +7271,8 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
  */
 struct mip_filter_reference_point_lever_arm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7312,7 +7320,7 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7421,8 +7429,8 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
  *
  * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
- * response, `filter.speed_measurement_response`, but has no layout of it.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * names a response, `filter.speed_measurement_response`, but has no layout of it.
  *
  * It must not be used together with the odometer of the device.
  *
@@ -7433,7 +7441,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
 struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */
     uint8_t source;
-    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none. */
+    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none. */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     float speed;
@@ -7513,14 +7521,14 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * It corrects for the speed that such a point has only because the vehicle turns.
+ * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7564,7 +7572,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7668,22 +7676,22 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
- * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+ * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
  *
- * In full: filter.vertical_gyro_constraint_control.
+ * Full name: filter.vertical_gyro_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_vertical_gyro_constraint_response. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
- * It takes the linear acceleration as zero.
+ * It assumes that the linear acceleration is zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
 struct mip_filter_vertical_gyro_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7721,7 +7729,7 @@ static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gy
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -7753,9 +7761,9 @@ mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_cons
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * In full: filter.vertical_gyro_constraint_control_response.
+ * Full name: filter.vertical_gyro_constraint_control_response.
  *
- * Answers mip_filter_vertical_gyro_constraint. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_vertical_gyro_constraint. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -7818,20 +7826,20 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * In full: filter.wheeled_vehicle_constraint_control.
+ * Full name: filter.wheeled_vehicle_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
- * vehicles that move sideways, such as aircraft.
+ * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
+ * use it for vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7870,7 +7878,7 @@ mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_co
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -7903,7 +7911,7 @@ mip_filter_wheeled_vehicle_constraint_default(
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * In full: filter.wheeled_vehicle_constraint_control_response.
+ * Full name: filter.wheeled_vehicle_constraint_control_response.
  *
  * Answers mip_filter_wheeled_vehicle_constraint. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -7970,7 +7978,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  *
  * Lets the filter track the error of the antenna offset.
  *
- * In full: filter.gnss_antenna_calibration_control.
+ * Full name: filter.gnss_antenna_calibration_control.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
  * by mip_filter_gnss_antenna_calibration_response. Supported by 3DM-CV7-GNSS/INS and
@@ -7981,8 +7989,8 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  */
 struct mip_filter_gnss_antenna_calibration {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -8026,7 +8034,7 @@ static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenn
     command->max_offset = max_offset;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
@@ -8058,7 +8066,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * In full: filter.gnss_antenna_calibration_control_response.
+ * Full name: filter.gnss_antenna_calibration_control_response.
  *
  * Also called `gnss_antenna_cal_control_response`. Answers mip_filter_gnss_antenna_calibration.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.

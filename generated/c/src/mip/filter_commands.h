@@ -59,7 +59,7 @@ static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_
 }
 
 /**
- * Set initial attitude: calls the command with these values, optional parameters too. See
+ * Set initial attitude: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_set_initial_attitude_with(
@@ -89,7 +89,7 @@ static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_d
 }
 
 /**
- * Set initial heading: calls the command with these values, optional parameters too. See
+ * Set initial heading: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_set_initial_heading_with(
@@ -119,7 +119,7 @@ extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vehicle dynamics
- * mode. The response goes to `response`, which may be NULL, if the command asks for it.
+ * mode. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vehicle_dynamics_mode(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -138,9 +138,7 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
                            mip_filter_vehicle_dynamics_mode_write(&command, mode), NULL, NULL);
 }
 
-/**
- * Vehicle dynamics mode: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Vehicle dynamics mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
     struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
     struct mip_filter_vehicle_dynamics_mode command;
@@ -177,7 +175,7 @@ mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
 }
 
 /**
- * Vehicle dynamics mode: calls the command with these values, optional parameters too. See
+ * Vehicle dynamics mode: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
@@ -192,8 +190,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * frame transformation. The response goes to `response`, which may be NULL, if the command asks for
- * it.
+ * frame transformation. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -214,7 +212,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
 }
 
 /**
- * Sensor to vehicle frame transformation: read. Send the current setting back in a response. See
+ * Sensor to vehicle frame transformation: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
@@ -256,8 +254,8 @@ mip_call_filter_sensor_to_vehicle_euler_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle frame transformation: calls the command with these values, optional parameters
- * too. See mip_device_call.
+ * Sensor to vehicle frame transformation: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_euler *command,
@@ -271,7 +269,7 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * offset. The response goes to `response`, which may be NULL, if the command asks for it.
+ * offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -291,7 +289,7 @@ mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const 
 }
 
 /**
- * Sensor to vehicle offset: read. Send the current setting back in a response. See mip_device_call.
+ * Sensor to vehicle offset: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
@@ -329,7 +327,7 @@ mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle offset: calls the command with these values, optional parameters too. See
+ * Sensor to vehicle offset: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
@@ -344,7 +342,7 @@ extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_antenna_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -362,7 +360,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_
                            mip_filter_antenna_offset_write(&command, offset), NULL, NULL);
 }
 
-/** GNSS antenna offset: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS antenna offset: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_read(
     struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
     struct mip_filter_antenna_offset command;
@@ -395,7 +393,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_default(struct mi
 }
 
 /**
- * GNSS antenna offset: calls the command with these values, optional parameters too. See
+ * GNSS antenna offset: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_with(
@@ -410,7 +408,7 @@ extern MIP_API const struct mip_command mip_filter_estimation_control_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation control
- * flags. The response goes to `response`, which may be NULL, if the command asks for it.
+ * flags. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_estimation_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -429,7 +427,7 @@ static inline struct mip_result mip_call_filter_estimation_control_write(
 }
 
 /**
- * Estimation control flags: read. Send the current setting back in a response. See mip_device_call.
+ * Estimation control flags: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_estimation_control_read(
     struct mip_device *device, struct mip_filter_estimation_control_response *response) {
@@ -465,7 +463,7 @@ mip_call_filter_estimation_control_default(struct mip_device *device) {
 }
 
 /**
- * Estimation control flags: calls the command with these values, optional parameters too. See
+ * Estimation control flags: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_estimation_control_with(
@@ -480,7 +478,7 @@ extern MIP_API const struct mip_command mip_filter_gnss_source_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS aiding source.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -498,7 +496,7 @@ static inline struct mip_result mip_call_filter_gnss_source_write(
                            mip_filter_gnss_source_write(&command, source), NULL, NULL);
 }
 
-/** GNSS aiding source: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS aiding source: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_read(
     struct mip_device *device, struct mip_filter_gnss_source_response *response) {
     struct mip_filter_gnss_source command;
@@ -531,7 +529,7 @@ static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_d
 }
 
 /**
- * GNSS aiding source: calls the command with these values, optional parameters too. See
+ * GNSS aiding source: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_source_with(
@@ -568,7 +566,7 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
 }
 
 /**
- * External GNSS update: calls the command with these values, optional parameters too. See
+ * External GNSS update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_gnss_update_with(
@@ -602,7 +600,7 @@ static inline struct mip_result mip_call_filter_external_heading_update(
 }
 
 /**
- * External heading update: calls the command with these values, optional parameters too. See
+ * External heading update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_heading_update_with(
@@ -616,7 +614,7 @@ extern MIP_API const struct mip_command mip_filter_heading_source_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Heading update
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_heading_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -634,9 +632,7 @@ static inline struct mip_result mip_call_filter_heading_source_write(
                            mip_filter_heading_source_write(&command, source), NULL, NULL);
 }
 
-/**
- * Heading update control: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Heading update control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_read(
     struct mip_device *device, struct mip_filter_heading_source_response *response) {
     struct mip_filter_heading_source command;
@@ -670,7 +666,7 @@ static inline struct mip_result mip_call_filter_heading_source_default(struct mi
 }
 
 /**
- * Heading update control: calls the command with these values, optional parameters too. See
+ * Heading update control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_heading_source_with(
@@ -685,7 +681,8 @@ extern MIP_API const struct mip_command mip_filter_auto_initialization_control_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic
- * initialization. The response goes to `response`, which may be NULL, if the command asks for it.
+ * initialization. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_auto_initialization_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -706,7 +703,7 @@ mip_call_filter_auto_initialization_control_write(struct mip_device *device, uin
 }
 
 /**
- * Automatic initialization: read. Send the current setting back in a response. See mip_device_call.
+ * Automatic initialization: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_initialization_control_read(
     struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
@@ -744,7 +741,7 @@ mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
 }
 
 /**
- * Automatic initialization: calls the command with these values, optional parameters too. See
+ * Automatic initialization: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_initialization_control_with(
@@ -759,7 +756,7 @@ extern MIP_API const struct mip_command mip_filter_accel_noise_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer noise.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -777,7 +774,7 @@ static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_dev
                            mip_filter_accel_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Accelerometer noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Accelerometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_read(
     struct mip_device *device, struct mip_filter_accel_noise_response *response) {
     struct mip_filter_accel_noise command;
@@ -810,7 +807,7 @@ static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_d
 }
 
 /**
- * Accelerometer noise: calls the command with these values, optional parameters too. See
+ * Accelerometer noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_noise_with(
@@ -824,8 +821,8 @@ static inline struct mip_result mip_call_filter_accel_noise_with(
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
                                                    struct mip_request *request,
@@ -845,7 +842,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_devi
                            mip_filter_gyro_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Gyroscope noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Gyroscope noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_read(
     struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
     struct mip_filter_gyro_noise command;
@@ -876,7 +873,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_de
 }
 
 /**
- * Gyroscope noise: calls the command with these values, optional parameters too. See
+ * Gyroscope noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gyro_noise_with(
@@ -891,7 +888,7 @@ extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer bias
- * model. The response goes to `response`, which may be NULL, if the command asks for it.
+ * model. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -911,7 +908,7 @@ static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mi
 }
 
 /**
- * Accelerometer bias model: read. Send the current setting back in a response. See mip_device_call.
+ * Accelerometer bias model: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_read(
     struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
@@ -947,7 +944,7 @@ mip_call_filter_accel_bias_model_default(struct mip_device *device) {
 }
 
 /**
- * Accelerometer bias model: calls the command with these values, optional parameters too. See
+ * Accelerometer bias model: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_with(
@@ -962,7 +959,7 @@ extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope bias model.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -981,7 +978,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip
                            mip_filter_gyro_bias_model_write(&command, beta, noise), NULL, NULL);
 }
 
-/** Gyroscope bias model: read. Send the current setting back in a response. See mip_device_call. */
+/** Gyroscope bias model: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_read(
     struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
     struct mip_filter_gyro_bias_model command;
@@ -1014,7 +1011,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct m
 }
 
 /**
- * Gyroscope bias model: calls the command with these values, optional parameters too. See
+ * Gyroscope bias model: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gyro_bias_model_with(
@@ -1029,7 +1026,8 @@ extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic zero
- * velocity update. The response goes to `response`, which may be NULL, if the command asks for it.
+ * velocity update. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
                                                   struct mip_request *request,
@@ -1050,7 +1048,7 @@ static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_devic
 }
 
 /**
- * Automatic zero velocity update: read. Send the current setting back in a response. See
+ * Automatic zero velocity update: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_read(
@@ -1088,8 +1086,8 @@ static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_dev
 }
 
 /**
- * Automatic zero velocity update: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Automatic zero velocity update: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_with(
     struct mip_device *device, const struct mip_filter_auto_zupt *command,
@@ -1125,8 +1123,8 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
 }
 
 /**
- * External heading update with time: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * External heading update with time: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_heading_update_with_time_with(
     struct mip_device *device, const struct mip_filter_external_heading_update_with_time *command) {
@@ -1139,7 +1137,7 @@ extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Zero angular rate
- * update. The response goes to `response`, which may be NULL, if the command asks for it.
+ * update. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_auto_angular_zupt(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1160,7 +1158,7 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct m
 }
 
 /**
- * Zero angular rate update: read. Send the current setting back in a response. See mip_device_call.
+ * Zero angular rate update: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
     struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
@@ -1196,7 +1194,7 @@ mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
 }
 
 /**
- * Zero angular rate update: calls the command with these values, optional parameters too. See
+ * Zero angular rate update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
@@ -1210,8 +1208,8 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_tare_orientation(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1229,7 +1227,7 @@ static inline struct mip_result mip_call_filter_tare_orientation_write(struct mi
                            mip_filter_tare_orientation_write(&command, axes), NULL, NULL);
 }
 
-/** Tare orientation: read. Send the current setting back in a response. See mip_device_call. */
+/** Tare orientation: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_read(
     struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
     struct mip_filter_tare_orientation command;
@@ -1261,7 +1259,7 @@ mip_call_filter_tare_orientation_default(struct mip_device *device) {
 }
 
 /**
- * Tare orientation: calls the command with these values, optional parameters too. See
+ * Tare orientation: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_tare_orientation_with(
@@ -1315,7 +1313,7 @@ extern MIP_API const struct mip_command mip_filter_reference_position_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set reference
- * position. The response goes to `response`, which may be NULL, if the command asks for it.
+ * position. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_position(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1335,9 +1333,7 @@ static inline struct mip_result mip_call_filter_reference_position_write(
         NULL);
 }
 
-/**
- * Set reference position: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Set reference position: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reference_position_read(
     struct mip_device *device, struct mip_filter_reference_position_response *response) {
     struct mip_filter_reference_position command;
@@ -1372,7 +1368,7 @@ mip_call_filter_reference_position_default(struct mip_device *device) {
 }
 
 /**
- * Set reference position: calls the command with these values, optional parameters too. See
+ * Set reference position: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_position_with(
@@ -1419,8 +1415,8 @@ mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
 }
 
 /**
- * Capture automatic magnetometer calibration: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Capture automatic magnetometer calibration: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_with(
     struct mip_device *device, const struct mip_filter_mag_capture_auto_calibration *command) {
@@ -1432,8 +1428,8 @@ static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_wit
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gravity_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1451,7 +1447,7 @@ static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_d
                            mip_filter_gravity_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Gravity noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Gravity noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_read(
     struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
     struct mip_filter_gravity_noise command;
@@ -1482,7 +1478,8 @@ static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip
 }
 
 /**
- * Gravity noise: calls the command with these values, optional parameters too. See mip_device_call.
+ * Gravity noise: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gravity_noise_with(
     struct mip_device *device, const struct mip_filter_gravity_noise *command,
@@ -1496,7 +1493,7 @@ extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pressure altitude
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pressure_altitude_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1515,9 +1512,7 @@ mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float n
                            mip_filter_pressure_altitude_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Pressure altitude noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Pressure altitude noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
     struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
     struct mip_filter_pressure_altitude_noise command;
@@ -1554,7 +1549,7 @@ mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
 }
 
 /**
- * Pressure altitude noise: calls the command with these values, optional parameters too. See
+ * Pressure altitude noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
@@ -1569,7 +1564,7 @@ extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Hard iron offset
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_hard_iron_offset_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1588,9 +1583,7 @@ mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const fl
                            mip_filter_hard_iron_offset_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Hard iron offset noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Hard iron offset noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
     struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
     struct mip_filter_hard_iron_offset_noise command;
@@ -1627,7 +1620,7 @@ mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
 }
 
 /**
- * Hard iron offset noise: calls the command with these values, optional parameters too. See
+ * Hard iron offset noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
@@ -1642,7 +1635,7 @@ extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Soft iron matrix
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_soft_iron_matrix_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1661,9 +1654,7 @@ mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const fl
                            mip_filter_soft_iron_matrix_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Soft iron matrix noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Soft iron matrix noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
     struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
     struct mip_filter_soft_iron_matrix_noise command;
@@ -1700,7 +1691,7 @@ mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
 }
 
 /**
- * Soft iron matrix noise: calls the command with these values, optional parameters too. See
+ * Soft iron matrix noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
@@ -1715,7 +1706,8 @@ extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Enable or disable
- * measurements. The response goes to `response`, which may be NULL, if the command asks for it.
+ * measurements. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_enable_measurements(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1734,7 +1726,7 @@ static inline struct mip_result mip_call_filter_enable_measurements_write(
 }
 
 /**
- * Enable or disable measurements: read. Send the current setting back in a response. See
+ * Enable or disable measurements: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_read(
@@ -1775,8 +1767,8 @@ mip_call_filter_enable_measurements_default(struct mip_device *device) {
 }
 
 /**
- * Enable or disable measurements: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Enable or disable measurements: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_with(
     struct mip_device *device, const struct mip_filter_enable_measurements *command,
@@ -1790,7 +1782,7 @@ extern MIP_API const struct mip_command mip_filter_mag_noise_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer noise.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
                                                   struct mip_request *request,
@@ -1810,7 +1802,7 @@ static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_devic
                            mip_filter_mag_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Magnetometer noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Magnetometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_read(
     struct mip_device *device, struct mip_filter_mag_noise_response *response) {
     struct mip_filter_mag_noise command;
@@ -1843,7 +1835,7 @@ static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_dev
 }
 
 /**
- * Magnetometer noise: calls the command with these values, optional parameters too. See
+ * Magnetometer noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_noise_with(
@@ -1858,7 +1850,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic declination
- * source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_declination_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1879,8 +1871,7 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_writ
 }
 
 /**
- * Magnetic declination source: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Magnetic declination source: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
@@ -1918,8 +1909,8 @@ mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic declination source: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetic declination source: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_declination_source *command,
@@ -1933,8 +1924,8 @@ extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity magnitude
- * error adaptive measurement. The response goes to `response`, which may be NULL, if the command
- * asks for it.
+ * error adaptive measurement. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1957,8 +1948,8 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
 }
 
 /**
- * Gravity magnitude error adaptive measurement: read. Send the current setting back in a response.
- * See mip_device_call.
+ * Gravity magnitude error adaptive measurement: read. Return the current setting in a response. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
@@ -2001,8 +1992,8 @@ mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Gravity magnitude error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Gravity magnitude error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
     struct mip_device *device, const struct mip_filter_accel_magnitude_adaptive *command,
@@ -2016,8 +2007,8 @@ extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer
- * magnitude error adaptive measurement. The response goes to `response`, which may be NULL, if the
- * command asks for it.
+ * magnitude error adaptive measurement. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2045,7 +2036,7 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
 }
 
 /**
- * Magnetometer magnitude error adaptive measurement: read. Send the current setting back in a
+ * Magnetometer magnitude error adaptive measurement: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
@@ -2090,8 +2081,8 @@ mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer magnitude error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Magnetometer magnitude error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
     struct mip_device *device, const struct mip_filter_mag_magnitude_adaptive *command,
@@ -2105,8 +2096,8 @@ extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer dip
- * angle error adaptive measurement. The response goes to `response`, which may be NULL, if the
- * command asks for it.
+ * angle error adaptive measurement. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2133,7 +2124,7 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
 }
 
 /**
- * Magnetometer dip angle error adaptive measurement: read. Send the current setting back in a
+ * Magnetometer dip angle error adaptive measurement: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
@@ -2178,8 +2169,8 @@ mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer dip angle error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Magnetometer dip angle error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
     struct mip_device *device, const struct mip_filter_mag_dip_angle_adaptive *command,
@@ -2192,8 +2183,8 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_altitude_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2211,7 +2202,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_write(
                            mip_filter_altitude_aiding_write(&command, selector), NULL, NULL);
 }
 
-/** Altitude aiding: read. Send the current setting back in a response. See mip_device_call. */
+/** Altitude aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_read(
     struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
     struct mip_filter_altitude_aiding command;
@@ -2242,7 +2233,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_default(struct m
 }
 
 /**
- * Altitude aiding: calls the command with these values, optional parameters too. See
+ * Altitude aiding: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_altitude_aiding_with(
@@ -2257,7 +2248,7 @@ extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pitch and roll
- * aiding. The response goes to `response`, which may be NULL, if the command asks for it.
+ * aiding. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pitch_roll_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2275,9 +2266,7 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
                            mip_filter_pitch_roll_aiding_write(&command, aiding), NULL, NULL);
 }
 
-/**
- * Pitch and roll aiding: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Pitch and roll aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
     struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
     struct mip_filter_pitch_roll_aiding command;
@@ -2312,7 +2301,7 @@ mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
 }
 
 /**
- * Pitch and roll aiding: calls the command with these values, optional parameters too. See
+ * Pitch and roll aiding: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
@@ -2327,7 +2316,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic inclination
- * source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_inclination_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2348,8 +2337,7 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_writ
 }
 
 /**
- * Magnetic inclination source: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Magnetic inclination source: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
@@ -2387,8 +2375,8 @@ mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic inclination source: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetic inclination source: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_inclination_source *command,
@@ -2402,7 +2390,8 @@ extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field
- * magnitude source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * magnitude source. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_magnetic_magnitude_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2423,7 +2412,7 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
 }
 
 /**
- * Magnetic field magnitude source: read. Send the current setting back in a response. See
+ * Magnetic field magnitude source: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
@@ -2464,8 +2453,8 @@ mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic field magnitude source: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Magnetic field magnitude source: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_magnitude_source *command,
@@ -2479,7 +2468,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * rotation, matrix. The response goes to `response`, which may be NULL, if the command asks for it.
+ * rotation, matrix. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2499,7 +2489,7 @@ mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const flo
 }
 
 /**
- * Sensor to vehicle rotation, matrix: read. Send the current setting back in a response. See
+ * Sensor to vehicle rotation, matrix: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
@@ -2541,8 +2531,8 @@ mip_call_filter_sensor_to_vehicle_dcm_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle rotation, matrix: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Sensor to vehicle rotation, matrix: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_dcm *command,
@@ -2556,8 +2546,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * rotation, quaternion. The response goes to `response`, which may be NULL, if the command asks for
- * it.
+ * rotation, quaternion. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2577,7 +2567,7 @@ mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, co
 }
 
 /**
- * Sensor to vehicle rotation, quaternion: read. Send the current setting back in a response. See
+ * Sensor to vehicle rotation, quaternion: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_read(
@@ -2619,8 +2609,8 @@ mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) 
 }
 
 /**
- * Sensor to vehicle rotation, quaternion: calls the command with these values, optional parameters
- * too. See mip_device_call.
+ * Sensor to vehicle rotation, quaternion: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_quaternion *command,
@@ -2634,7 +2624,7 @@ extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Aiding measurement
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_aiding_measurement_enable(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2655,8 +2645,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
 }
 
 /**
- * Aiding measurement control: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Aiding measurement control: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     struct mip_device *device, uint16_t aiding_source,
@@ -2698,8 +2687,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_defaul
 }
 
 /**
- * Aiding measurement control: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Aiding measurement control: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
     struct mip_device *device, const struct mip_filter_aiding_measurement_enable *command,
@@ -2713,7 +2702,7 @@ extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Kinematic constraint.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_kinematic_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2735,7 +2724,7 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_write(
                            NULL, NULL);
 }
 
-/** Kinematic constraint: read. Send the current setting back in a response. See mip_device_call. */
+/** Kinematic constraint: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_kinematic_constraint_read(
     struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
     struct mip_filter_kinematic_constraint command;
@@ -2771,7 +2760,7 @@ mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Kinematic constraint: calls the command with these values, optional parameters too. See
+ * Kinematic constraint: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_kinematic_constraint_with(
@@ -2786,7 +2775,8 @@ extern MIP_API const struct mip_command mip_filter_initialization_config_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Navigation filter
- * initialization. The response goes to `response`, which may be NULL, if the command asks for it.
+ * initialization. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_initialization_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2815,7 +2805,7 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
 }
 
 /**
- * Navigation filter initialization: read. Send the current setting back in a response. See
+ * Navigation filter initialization: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_initialization_config_read(
@@ -2856,8 +2846,8 @@ mip_call_filter_initialization_config_default(struct mip_device *device) {
 }
 
 /**
- * Navigation filter initialization: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Navigation filter initialization: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_initialization_config_with(
     struct mip_device *device, const struct mip_filter_initialization_config *command,
@@ -2871,7 +2861,7 @@ extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Adaptive filter
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_adaptive_filter_options(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2891,9 +2881,7 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
                            NULL, NULL);
 }
 
-/**
- * Adaptive filter control: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Adaptive filter control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
     struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
     struct mip_filter_adaptive_filter_options command;
@@ -2930,7 +2918,7 @@ mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
 }
 
 /**
- * Adaptive filter control: calls the command with these values, optional parameters too. See
+ * Adaptive filter control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
@@ -2945,7 +2933,7 @@ extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS multi-antenna
- * offset. The response goes to `response`, which may be NULL, if the command asks for it.
+ * offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_multi_antenna_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2965,8 +2953,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
 }
 
 /**
- * GNSS multi-antenna offset: read. Send the current setting back in a response. See
- * mip_device_call.
+ * GNSS multi-antenna offset: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     struct mip_device *device, uint8_t receiver_id,
@@ -3006,8 +2993,8 @@ mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t 
 }
 
 /**
- * GNSS multi-antenna offset: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * GNSS multi-antenna offset: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
     struct mip_device *device, const struct mip_filter_multi_antenna_offset *command,
@@ -3021,7 +3008,8 @@ extern MIP_API const struct mip_command mip_filter_relative_position_config_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Relative position
- * configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_relative_position_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3045,7 +3033,7 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
 }
 
 /**
- * Relative position configuration: read. Send the current setting back in a response. See
+ * Relative position configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_relative_position_config_read(
@@ -3086,8 +3074,8 @@ mip_call_filter_relative_position_config_default(struct mip_device *device) {
 }
 
 /**
- * Relative position configuration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Relative position configuration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_relative_position_config_with(
     struct mip_device *device, const struct mip_filter_relative_position_config *command,
@@ -3101,7 +3089,7 @@ extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Reference point lever
- * arm. The response goes to `response`, which may be NULL, if the command asks for it.
+ * arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_point_lever_arm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3124,8 +3112,7 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
 }
 
 /**
- * Reference point lever arm: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Reference point lever arm: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
     struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
@@ -3163,8 +3150,8 @@ mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
 }
 
 /**
- * Reference point lever arm: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Reference point lever arm: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
     struct mip_device *device, const struct mip_filter_reference_point_lever_arm *command,
@@ -3197,7 +3184,7 @@ static inline struct mip_result mip_call_filter_speed_measurement(struct mip_dev
 }
 
 /**
- * Speed measurement: calls the command with these values, optional parameters too. See
+ * Speed measurement: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_measurement_with(
@@ -3210,7 +3197,7 @@ extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement
- * lever arm. The response goes to `response`, which may be NULL, if the command asks for it.
+ * lever arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_speed_lever_arm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3230,8 +3217,7 @@ mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lev
 }
 
 /**
- * Speed measurement lever arm: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Speed measurement lever arm: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_read(
     struct mip_device *device, struct mip_filter_speed_lever_arm_response *response) {
@@ -3266,8 +3252,8 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct m
 }
 
 /**
- * Speed measurement lever arm: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Speed measurement lever arm: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_with(
     struct mip_device *device, const struct mip_filter_speed_lever_arm *command,
@@ -3281,7 +3267,7 @@ extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
- * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
+ * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vertical_gyro_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3301,7 +3287,7 @@ mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_
 }
 
 /**
- * Vertical gyro constraint: read. Send the current setting back in a response. See mip_device_call.
+ * Vertical gyro constraint: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
     struct mip_device *device, struct mip_filter_vertical_gyro_constraint_response *response) {
@@ -3339,7 +3325,7 @@ mip_call_filter_vertical_gyro_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Vertical gyro constraint: calls the command with these values, optional parameters too. See
+ * Vertical gyro constraint: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vertical_gyro_constraint_with(
@@ -3354,7 +3340,7 @@ extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_co
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
- * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
+ * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3375,8 +3361,7 @@ mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint
 }
 
 /**
- * Wheeled vehicle constraint: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Wheeled vehicle constraint: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
     struct mip_device *device, struct mip_filter_wheeled_vehicle_constraint_response *response) {
@@ -3414,8 +3399,8 @@ mip_call_filter_wheeled_vehicle_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Wheeled vehicle constraint: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Wheeled vehicle constraint: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_with(
     struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint *command,
@@ -3429,7 +3414,7 @@ extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
- * calibration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * calibration. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_antenna_calibration(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3450,7 +3435,7 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
 }
 
 /**
- * GNSS antenna offset calibration: read. Send the current setting back in a response. See
+ * GNSS antenna offset calibration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
@@ -3491,8 +3476,8 @@ mip_call_filter_gnss_antenna_calibration_default(struct mip_device *device) {
 }
 
 /**
- * GNSS antenna offset calibration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * GNSS antenna offset calibration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_with(
     struct mip_device *device, const struct mip_filter_gnss_antenna_calibration *command,

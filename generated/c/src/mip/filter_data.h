@@ -86,7 +86,7 @@ enum mip_filter_data_heading_aiding_type {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement. In full: aiding_measurement_type.
+ * `aiding` that give the measurement. Full name: aiding_measurement_type.
  */
 enum mip_filter_data_aiding_type {
     /** GNSS position and velocity. */
@@ -123,7 +123,7 @@ enum mip_filter_data_aiding_type {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_aiding_type_name(uint8_t value);
-/** What the filter did with an aiding measurement. In full: aiding_measurement_indicator. */
+/** What the filter did with an aiding measurement. Full name: aiding_measurement_indicator. */
 typedef uint8_t mip_filter_data_aiding_indicator;
 /** Bit 0. The measurement is enabled. */
 #define MIP_FILTER_DATA_AIDING_INDICATOR_ENABLED 0x01U
@@ -149,11 +149,11 @@ enum mip_filter_data_dual_antenna_fix_type {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
-/** What the heading solution of two antennas has to work with. */
+/** Inputs available to the heading solution of two antennas. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
-/** Bit 0. Data of receiver 1 are valid. */
+/** Bit 0. Data of receiver 1 is valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_1_DATA_VALID 0x0001U
-/** Bit 1. Data of receiver 2 are valid. */
+/** Bit 1. Data of receiver 2 is valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
 /** Bit 2. The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
@@ -164,13 +164,13 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 enum mip_filter_data_gx5_filter_state {
-    /** The device starts. */
+    /** The device is starting. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP = 0,
-    /** Initialization; the status flags tell what is missing. */
+    /** Initialization; the status flags show what is missing. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_INIT = 1,
     /** Running with a valid solution. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID = 2,
-    /** Running with an error; the status flags tell which. */
+    /** Running with an error; the status flags show which. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
 };
 
@@ -195,7 +195,7 @@ enum mip_filter_data_cv7_filter_state {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
-/** Motion for which the filter of a 5-series device is set up. */
+/** Motion for which the filter of a 5-series device is configured. */
 enum mip_filter_data_gx5_dynamics_mode {
     /** Carried by hand. */
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE = 1,
@@ -216,7 +216,7 @@ enum mip_filter_data_cv7_dynamics_mode {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 /**
- * Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the
+ * Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the
  * others while the filter runs.
  *
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -230,45 +230,52 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 3. A matrix of the computation is singular. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
- * Bit 4. A position covariance is above its normal limit. In full: run_position_covariance_warning.
+ * Bit 4. A position covariance is above its normal limit. Full name:
+ * run_position_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
 /**
- * Bit 5. A velocity covariance is above its normal limit. In full: run_velocity_covariance_warning.
+ * Bit 5. A velocity covariance is above its normal limit. Full name:
+ * run_velocity_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
 /**
- * Bit 6. An attitude covariance is above its normal limit. In full:
+ * Bit 6. An attitude covariance is above its normal limit. Full name:
  * run_attitude_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
-/** Bit 7. The solution holds values that are not numbers. In full: run_nan_in_solution_warning. */
+/**
+ * Bit 7. The solution contains values that are not numbers. Full name: run_nan_in_solution_warning.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. In full: run_gyro_bias_est_high_warning. */
+/** Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. In full: run_accel_bias_est_high_warning. */
+/** Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
 /**
- * Bit 10. The estimated gyroscope scale factor is high. In full:
+ * Bit 10. The estimated gyroscope scale factor is high. Full name:
  * run_gyro_scale_factor_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
 /**
- * Bit 11. The estimated accelerometer scale factor is high. In full:
+ * Bit 11. The estimated accelerometer scale factor is high. Full name:
  * run_accel_scale_factor_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. In full: run_mag_bias_est_high_warning. */
+/** Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
 /**
- * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. In full:
+ * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Full name:
  * run_antenna_offset_correction_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
-/** Bit 14. The estimated hard-iron offset is high. In full: run_mag_hard_iron_est_high_warning. */
+/**
+ * Bit 14. The estimated hard-iron offset is high. Full name: run_mag_hard_iron_est_high_warning.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
 /**
- * Bit 15. The estimated soft-iron correction is high. In full: run_mag_soft_iron_est_high_warning.
+ * Bit 15. The estimated soft-iron correction is high. Full name:
+ * run_mag_soft_iron_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
 /** Bit 12. The attitude is not initialized. Overlaps other bits. */
@@ -312,15 +319,15 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
 /** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
-/** Bit 7. The GNSS clock is doubtful; navigation goes on. */
+/** Bit 7. The GNSS clock is doubtful; navigation continues. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
 /** Bit 8. The antenna offsets are probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
 /** Bit 9. The mounting transformation is probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
-/** Bit 10. No pulse per second is found, or the time of an external heading is too old. */
+/** Bit 10. No pulse per second is detected, or the time of an external heading is too old. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
-/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
+/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
@@ -337,7 +344,7 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
+/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
@@ -524,7 +531,7 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
+ * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -600,7 +607,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
+ * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -1074,7 +1081,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+ * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
  * degrees of pitch up or down.
  *
  * - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
@@ -1304,7 +1311,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
- * Compensated acceleration less the estimated gravity.
+ * Compensated acceleration minus the estimated gravity.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1452,11 +1459,11 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
- * Magnitude of gravity at the position of the device by the WGS84 model.
+ * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
  * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
  *
- * The model holds up to an altitude of 20 km.
+ * The model is valid up to an altitude of 20 km.
  *
  * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
  */
@@ -1531,7 +1538,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  *
  * 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
  *
- * 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
+ * 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter
  * runs.
  *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
@@ -1545,7 +1552,7 @@ struct mip_filter_data_status {
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of enum
+     * Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_dynamics_mode.
      */
@@ -1616,7 +1623,7 @@ static inline mip_error mip_filter_data_status_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
+ * Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
  *
  * Without synchronization to a receiver or an external clock it is the internal system time.
  *
@@ -1930,7 +1937,7 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
 /**
  * Magnetic model: data (0x82,0x15).
  *
- * Magnetic field at the position of the device by the World Magnetic Model.
+ * Magnetic field at the position of the device according to the World Magnetic Model.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2025,7 +2032,7 @@ static inline mip_error mip_filter_data_magnetic_model_encode_inline(
  *
  * Estimated scale factor of the gyroscope.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
  */
@@ -2098,7 +2105,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
  *
  * Estimated scale factor of the accelerometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
  */
@@ -2171,7 +2178,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
@@ -2247,7 +2254,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -2323,7 +2330,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_in
  *
  * Estimated bias of the magnetometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -2396,7 +2403,7 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
  *
  * Standard deviation of the estimated bias of the magnetometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
  */
@@ -2467,7 +2474,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
- * Acceleration without the estimated bias; gravity is still in it.
+ * Acceleration without the estimated bias; it includes gravity.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -2543,7 +2550,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -2551,7 +2558,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
  */
 struct mip_filter_data_standard_atmosphere {
     /**
-     * Altitude that goes into the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * Altitude used in the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
      */
     float geometric_altitude;
@@ -2707,8 +2714,8 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
  *
  * Altitude at which the standard atmosphere has the density of the air around the device.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives the
- * name only; the description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * gives the name only; the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density Altitude (0x82,0x22)
  */
@@ -2774,8 +2781,8 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
@@ -2850,8 +2857,8 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
  *
@@ -2926,8 +2933,8 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
@@ -3000,8 +3007,8 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -3074,8 +3081,8 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
  *
  * Covariance of the magnetometer measurement.
  *
- * Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
  */
@@ -3149,8 +3156,8 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
  *
  * Residual of the magnetometer measurement.
  *
- * Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
  */
@@ -3223,7 +3230,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
  *
  * Estimated error of the offset of the GNSS antenna.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_filter_antenna_offset.
  *
@@ -3298,9 +3305,9 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
  *
- * In full: filter_data.antenna_offset_correction_uncertainty.
+ * Full name: filter_data.antenna_offset_correction_uncertainty.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
  */
@@ -3374,7 +3381,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline
  *
  * Estimated clock error of one GNSS receiver.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock Correction (0x82,0x32)
  */
@@ -3453,7 +3460,7 @@ static inline mip_error mip_filter_data_clock_correction_encode_inline(
  *
  * Standard deviation of the estimated clock error of one GNSS receiver.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
  */
@@ -3615,7 +3622,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
  *
  * Standard deviation of the estimated error of the offset of one GNSS antenna.
  *
- * In full: filter_data.multi_antenna_offset_correction_uncertainty.
+ * Full name: filter_data.multi_antenna_offset_correction_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -4138,8 +4145,8 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
  *
  * How the filter uses the attitude that two GNSS antennas give.
  *
- * Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4214,8 +4221,8 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
  *
  * The heading measurement that the filter used last.
  *
- * Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `head_aid_status`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4440,7 +4447,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
- * In full: filter_data.odometer_scale_factor_error_uncertainty.
+ * Full name: filter_data.odometer_scale_factor_error_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -4537,7 +4544,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
     float heading_uncertainty;
     /** Kind of solution. A value of enum mip_filter_data_dual_antenna_fix_type. */
     uint8_t fix_type;
-    /** What the solution has to work with. */
+    /** Inputs available to the solution. */
     mip_filter_data_dual_antenna_status_flags status_flags;
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
@@ -4684,7 +4691,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
  *
  * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
- * In full: filter_data.aiding_frame_config_error_uncertainty.
+ * Full name: filter_data.aiding_frame_config_error_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

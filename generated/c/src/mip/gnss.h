@@ -29,7 +29,7 @@ struct mip_gnss_receiver_info_entry {
     uint8_t receiver_id;
     /** Descriptor set of the data of this receiver. Range: 128 to 254. */
     uint8_t mip_data_descriptor_set;
-    /** Module name or model and firmware version, with a comma between. */
+    /** Module name or model and firmware version, separated by a comma. */
     char description[33];
 };
 
@@ -63,11 +63,11 @@ typedef uint8_t mip_gnss_beidou_signals;
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
 /** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
-/** How SPARTN corrections come. */
+/** How SPARTN corrections are received. */
 enum mip_gnss_spartn_connection {
     /** No connection. */
     MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
-    /** By a network. */
+    /** Over a network. */
     MIP_GNSS_SPARTN_CONNECTION_NETWORK = 1,
     /** By satellite in the L band. */
     MIP_GNSS_SPARTN_CONNECTION_L_BAND = 2
@@ -79,7 +79,7 @@ MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
 /**
  * Receiver info: command (0x0E,0x01).
  *
- * Asks which GNSS receivers the device has.
+ * Gets the GNSS receivers of the device.
  *
  * Answered by mip_gnss_receiver_info_response. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -156,18 +156,18 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * A device takes certain combinations only.
+ * A device accepts certain combinations only.
  *
- * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
- * GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
+ * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For GPS and
+ * BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
 struct mip_gnss_signal_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -218,7 +218,7 @@ static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     command->beidou_enable = beidou_enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
@@ -331,15 +331,15 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
  * Whether the device talks to the RTK dongle that is connected to it.
  *
  * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
- * by mip_gnss_rtk_dongle_config_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * by mip_gnss_rtk_dongle_config_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -379,7 +379,7 @@ mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uin
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
@@ -411,8 +411,8 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known from
- * the MicroStrain MIP SDK only.
+ * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -480,11 +480,11 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  *
  * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
- * takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
+ * accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
  * the command has "bc" for 0xBC.
  *
- * A change of enable or type has an effect after a power cycle only; keys can be changed while
- * running.
+ * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
+ * time.
  *
  * While SPARTN corrections are enabled, RTCM corrections are blocked.
  *
@@ -496,15 +496,18 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  */
 struct mip_gnss_spartn_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** How the corrections come. A value of enum mip_gnss_spartn_connection. Required for write. */
+    /**
+     * How the corrections are received. A value of enum mip_gnss_spartn_connection. Required for
+     * write.
+     */
     uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. Required for write. */
     uint32_t current_key_tow;
@@ -558,7 +561,7 @@ static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     memcpy(command->next_key, next_key, sizeof(command->next_key));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
@@ -600,7 +603,7 @@ mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
 struct mip_gnss_spartn_config_response {
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     uint8_t enable;
-    /** How the corrections come. A value of enum mip_gnss_spartn_connection. */
+    /** How the corrections are received. A value of enum mip_gnss_spartn_connection. */
     uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. */
     uint32_t current_key_tow;

@@ -85,7 +85,7 @@ typedef uint16_t mip_gnss_1_dop_flags;
 #define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
 /** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
-/** How far the UTC time is valid. */
+/** Which parts of the UTC time are valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
 /** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
@@ -111,7 +111,7 @@ typedef uint16_t mip_gnss_1_clock_info_flags;
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_FLAGS 0x0007U
-/** What the fix makes use of. */
+/** What the fix uses. */
 typedef uint16_t mip_gnss_1_fix_flags;
 /** Bit 0. Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
@@ -149,7 +149,7 @@ typedef uint16_t mip_gnss_1_sv_info_flags;
 #define MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
-/** Whether the receiver works. */
+/** State of the receiver. */
 enum mip_gnss_1_receiver_state {
     /** Off. */
     MIP_GNSS_1_RECEIVER_STATE_OFF = 0,
@@ -365,7 +365,7 @@ typedef uint16_t mip_gnss_1_satellite_status_flags;
 enum mip_gnss_1_signal_quality {
     /** No signal. */
     MIP_GNSS_1_SIGNAL_QUALITY_NONE = 0,
-    /** The signal is searched. */
+    /** The signal is being searched for. */
     MIP_GNSS_1_SIGNAL_QUALITY_SEARCHING = 1,
     /** The signal is acquired. */
     MIP_GNSS_1_SIGNAL_QUALITY_ACQUIRED = 2,
@@ -451,7 +451,7 @@ typedef uint16_t mip_gnss_1_base_station_info_flags;
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
-/** Corrections that came during an epoch. */
+/** Corrections received during an epoch. */
 typedef uint16_t mip_gnss_1_rtk_epoch_status;
 /** Bit 0. Antenna location. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
@@ -465,9 +465,9 @@ typedef uint16_t mip_gnss_1_rtk_epoch_status;
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
 /** Bit 5. BeiDou corrections. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
-/** Bit 6. GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
+/** Bit 6. GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
-/** Bit 7. GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
+/** Bit 7. GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
 /** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
@@ -1060,7 +1060,7 @@ struct mip_gnss_1_utc_time {
      * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** How far the time is valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
@@ -1204,9 +1204,9 @@ static inline mip_error mip_gnss_1_gps_time_encode_inline(const struct mip_gnss_
  *
  * Bias and drift of the receiver clock.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and tells more.
+ * Clock info 2 replaces it and gives more detail.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
@@ -1286,7 +1286,7 @@ static inline mip_error mip_gnss_1_clock_info_encode_inline(
 /**
  * Fix info: data (0x91,0x0B).
  *
- * Type of the position fix and what it is made of.
+ * Type of the position fix and what it is based on.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1299,11 +1299,11 @@ struct mip_gnss_1_fix_info {
      */
     uint8_t fix_type;
     /**
-     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
      */
     uint8_t num_sv;
-    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_1_fix_flags fix_flags;
     /** Which values are valid. */
     mip_gnss_1_fix_info_flags valid_flags;
@@ -1368,10 +1368,10 @@ static inline mip_error mip_gnss_1_fix_info_encode_inline(const struct mip_gnss_
  *
  * One satellite that is tracked.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
- * holds one of these fields or several.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a
+ * packet holds one of these fields or several.
  *
- * The satellites come as one field each, in packets apart from other GNSS data.
+ * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
  * - mip-sdk-4: Sv Info (0x81,0x0C)
  */
@@ -1549,9 +1549,9 @@ static inline mip_error mip_gnss_1_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of
- * MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
- * another one, u8, three floats and u16, which is that of mip_gnss_1_dgps_channel and does not
+ * Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35 and
+ * from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+ * another layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not
  * agree with its own valid flags (age, base station id, base station status, number of channels).
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
@@ -1644,9 +1644,9 @@ static inline mip_error mip_gnss_1_dgps_info_encode_inline(const struct mip_gnss
  *
  * Differential correction for one satellite.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * The active satellites come as one field each, all in one packet.
+ * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Dgps Channel (0x81,0x0F)
  */
@@ -1994,7 +1994,7 @@ static inline mip_error mip_gnss_1_sbas_info_encode_inline(const struct mip_gnss
  *
  * SBAS correction for one satellite.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -2017,8 +2017,8 @@ struct mip_gnss_1_sbas_correction {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Indicator of the range error that is left after fast and long-term corrections, the
-     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * Indicator of the range error that remains after fast and long-term corrections, not counting
+     * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
      * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
@@ -2105,9 +2105,9 @@ static inline mip_error mip_gnss_1_sbas_correction_encode_inline(
 /**
  * RF error detection: data (0x91,0x14).
  *
- * Jamming and spoofing as the receiver detects them in one band.
+ * Jamming and spoofing that the receiver detects in one band.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
@@ -2192,7 +2192,7 @@ static inline mip_error mip_gnss_1_rf_error_detection_encode_inline(
 /**
  * Satellite status: data (0x91,0x20).
  *
- * Where one satellite stands, and its health.
+ * Direction to one satellite, and its health.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2491,7 +2491,7 @@ static inline mip_error mip_gnss_1_raw_encode_inline(const struct mip_gnss_1_raw
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Base Station Info (0x81,0x30)
  */
@@ -2597,9 +2597,9 @@ static inline mip_error mip_gnss_1_base_station_info_encode_inline(
 /**
  * RTK corrections status: data (0x91,0x31).
  *
- * Which corrections come, and how old they are.
+ * Which corrections are received, and how old they are.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  */
@@ -2615,7 +2615,7 @@ struct mip_gnss_1_rtk_corrections_status {
      */
     uint16_t week_number;
     /**
-     * Corrections that came during this epoch. Valid if
+     * Corrections received during this epoch. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
     mip_gnss_1_rtk_epoch_status epoch_status;
@@ -2623,7 +2623,7 @@ struct mip_gnss_1_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -2729,7 +2729,7 @@ static inline mip_error mip_gnss_1_rtk_corrections_status_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -3058,7 +3058,7 @@ struct mip_gnss_1_glonass_ephemeris {
      */
     float velocity[3];
     /**
-     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
@@ -3232,9 +3232,9 @@ static inline mip_error mip_gnss_1_glonass_ephemeris_encode_inline(
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -3506,9 +3506,9 @@ static inline mip_error mip_gnss_1_galileo_ephemeris_encode_inline(
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */
@@ -3777,7 +3777,8 @@ static inline mip_error mip_gnss_1_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Also called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
@@ -3875,8 +3876,8 @@ static inline mip_error mip_gnss_1_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
@@ -3899,7 +3900,7 @@ struct mip_gnss_1_galileo_iono_correction {
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each stands for.
+     * Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
@@ -3971,8 +3972,8 @@ static inline mip_error mip_gnss_1_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */

@@ -528,7 +528,7 @@ struct mip_gnss_2_utc_time {
      * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** How far the time is valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
@@ -672,10 +672,10 @@ static inline mip_error mip_gnss_2_gps_time_encode_inline(const struct mip_gnss_
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and tells more.
+ * Clock info 2 replaces it and gives more detail.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -755,7 +755,7 @@ static inline mip_error mip_gnss_2_clock_info_encode_inline(
 /**
  * Fix info: data (0x92,0x0B).
  *
- * Type of the position fix and what it is made of.
+ * Type of the position fix and what it is based on.
  *
  * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -768,11 +768,11 @@ struct mip_gnss_2_fix_info {
      */
     uint8_t fix_type;
     /**
-     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
      */
     uint8_t num_sv;
-    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_1_fix_flags fix_flags;
     /** Which values are valid. */
     mip_gnss_1_fix_info_flags valid_flags;
@@ -837,10 +837,10 @@ static inline mip_error mip_gnss_2_fix_info_encode_inline(const struct mip_gnss_
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
- * The satellites come as one field each, in packets apart from other GNSS data.
+ * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1019,11 +1019,11 @@ static inline mip_error mip_gnss_2_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
- * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
- * valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1114,10 +1114,10 @@ static inline mip_error mip_gnss_2_dgps_info_encode_inline(const struct mip_gnss
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * The active satellites come as one field each, all in one packet.
+ * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1465,8 +1465,8 @@ static inline mip_error mip_gnss_2_sbas_info_encode_inline(const struct mip_gnss
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1489,8 +1489,8 @@ struct mip_gnss_2_sbas_correction {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Indicator of the range error that is left after fast and long-term corrections, the
-     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * Indicator of the range error that remains after fast and long-term corrections, not counting
+     * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
      * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
@@ -1577,10 +1577,10 @@ static inline mip_error mip_gnss_2_sbas_correction_encode_inline(
 /**
  * RF error detection: data (0x92,0x14).
  *
- * Jamming and spoofing as the receiver detects them in one band.
+ * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1665,7 +1665,7 @@ static inline mip_error mip_gnss_2_rf_error_detection_encode_inline(
 /**
  * Satellite status: data (0x92,0x20).
  *
- * Where one satellite stands, and its health.
+ * Direction to one satellite, and its health.
  *
  * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -1964,8 +1964,8 @@ static inline mip_error mip_gnss_2_raw_encode_inline(const struct mip_gnss_2_raw
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -2071,10 +2071,10 @@ static inline mip_error mip_gnss_2_base_station_info_encode_inline(
 /**
  * RTK corrections status: data (0x92,0x31).
  *
- * Which corrections come, and how old they are.
+ * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -2090,7 +2090,7 @@ struct mip_gnss_2_rtk_corrections_status {
      */
     uint16_t week_number;
     /**
-     * Corrections that came during this epoch. Valid if
+     * Corrections received during this epoch. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
     mip_gnss_1_rtk_epoch_status epoch_status;
@@ -2098,7 +2098,7 @@ struct mip_gnss_2_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -2204,7 +2204,7 @@ static inline mip_error mip_gnss_2_rtk_corrections_status_encode_inline(
  *
  * Has the layout of mip_gnss_1_gps_ephemeris. Supported by 3DM-CV7-GNSS/INS.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
@@ -2534,7 +2534,7 @@ struct mip_gnss_2_glonass_ephemeris {
      */
     float velocity[3];
     /**
-     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
@@ -2708,9 +2708,9 @@ static inline mip_error mip_gnss_2_glonass_ephemeris_encode_inline(
  * Has the layout of mip_gnss_1_galileo_ephemeris. Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
@@ -2982,9 +2982,9 @@ static inline mip_error mip_gnss_2_galileo_ephemeris_encode_inline(
  * Has the layout of mip_gnss_1_beidou_ephemeris. Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */
@@ -3253,8 +3253,8 @@ static inline mip_error mip_gnss_2_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -3352,8 +3352,8 @@ static inline mip_error mip_gnss_2_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -3376,7 +3376,7 @@ struct mip_gnss_2_galileo_iono_correction {
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each stands for.
+     * Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
@@ -3448,8 +3448,8 @@ static inline mip_error mip_gnss_2_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */

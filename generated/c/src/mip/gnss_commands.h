@@ -20,8 +20,8 @@ extern "C" {
 extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Receiver info. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Receiver info. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_receiver_info(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -42,7 +42,7 @@ extern MIP_API const struct mip_command mip_gnss_signal_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Signal configuration.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_signal_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -64,7 +64,7 @@ static inline struct mip_result mip_call_gnss_signal_config_write(
                            NULL, NULL);
 }
 
-/** Signal configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** Signal configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_read(
     struct mip_device *device, struct mip_gnss_signal_config_response *response) {
     struct mip_gnss_signal_config command;
@@ -97,7 +97,7 @@ static inline struct mip_result mip_call_gnss_signal_config_default(struct mip_d
 }
 
 /**
- * Signal configuration: calls the command with these values, optional parameters too. See
+ * Signal configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_signal_config_with(
@@ -112,7 +112,8 @@ extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. RTK dongle
- * configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_gnss_rtk_dongle_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -131,7 +132,7 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip
 }
 
 /**
- * RTK dongle configuration: read. Send the current setting back in a response. See mip_device_call.
+ * RTK dongle configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
     struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
@@ -166,7 +167,7 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_default(struct m
 }
 
 /**
- * RTK dongle configuration: calls the command with these values, optional parameters too. See
+ * RTK dongle configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
@@ -181,7 +182,7 @@ extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. SPARTN configuration.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_spartn_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -204,7 +205,7 @@ static inline struct mip_result mip_call_gnss_spartn_config_write(
                            NULL, NULL);
 }
 
-/** SPARTN configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** SPARTN configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_read(
     struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
     struct mip_gnss_spartn_config command;
@@ -237,7 +238,7 @@ static inline struct mip_result mip_call_gnss_spartn_config_default(struct mip_d
 }
 
 /**
- * SPARTN configuration: calls the command with these values, optional parameters too. See
+ * SPARTN configuration: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_spartn_config_with(

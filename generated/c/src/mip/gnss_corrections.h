@@ -1,8 +1,8 @@
 /**
  * @file
  *
- * GNSS corrections data (0x93). What the device receives of RTK corrections. Data are sent as they
- * are received. Uncertain: Which devices send the fields that no manual lists for this set. The SDK
+ * GNSS corrections data (0x93). RTK corrections that the device receives. Data is sent as it is
+ * received. Uncertain: Which devices send the fields that no manual lists for this set. The SDK
  * gives all GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_CORRECTIONS_H
@@ -27,8 +27,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -132,8 +132,8 @@ static inline mip_error mip_gnss_corrections_llh_position_encode_inline(
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -213,8 +213,8 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -322,8 +322,8 @@ static inline mip_error mip_gnss_corrections_ned_velocity_encode_inline(
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -403,8 +403,8 @@ static inline mip_error mip_gnss_corrections_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_dop. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -494,8 +494,8 @@ static inline mip_error mip_gnss_corrections_dop_encode_inline(
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_utc_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -532,7 +532,7 @@ struct mip_gnss_corrections_utc_time {
      * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** How far the time is valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
@@ -603,8 +603,8 @@ static inline mip_error mip_gnss_corrections_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_gps_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -677,10 +677,10 @@ static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and tells more.
+ * Clock info 2 replaces it and gives more detail.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -760,10 +760,10 @@ static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
 /**
  * Fix info: data (0x93,0x0B).
  *
- * Type of the position fix and what it is made of.
+ * Type of the position fix and what it is based on.
  *
- * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_fix_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -774,11 +774,11 @@ struct mip_gnss_corrections_fix_info {
      */
     uint8_t fix_type;
     /**
-     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
      */
     uint8_t num_sv;
-    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_1_fix_flags fix_flags;
     /** Which values are valid. */
     mip_gnss_1_fix_info_flags valid_flags;
@@ -843,10 +843,10 @@ static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
- * The satellites come as one field each, in packets apart from other GNSS data.
+ * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -941,8 +941,8 @@ static inline mip_error mip_gnss_corrections_sv_info_encode_inline(
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1025,11 +1025,11 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
- * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
- * valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1120,10 +1120,10 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * The active satellites come as one field each, all in one packet.
+ * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1213,8 +1213,8 @@ static inline mip_error mip_gnss_corrections_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1306,8 +1306,8 @@ static inline mip_error mip_gnss_corrections_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1376,8 +1376,8 @@ static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1474,8 +1474,8 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1498,8 +1498,8 @@ struct mip_gnss_corrections_sbas_correction {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Indicator of the range error that is left after fast and long-term corrections, the
-     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * Indicator of the range error that remains after fast and long-term corrections, not counting
+     * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
      * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
@@ -1586,10 +1586,10 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
 /**
  * RF error detection: data (0x93,0x14).
  *
- * Jamming and spoofing as the receiver detects them in one band.
+ * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1674,10 +1674,10 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
 /**
  * Satellite status: data (0x93,0x20).
  *
- * Where one satellite stands, and its health.
+ * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1798,8 +1798,8 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -2081,7 +2081,7 @@ static inline mip_error mip_gnss_corrections_base_station_info_encode_inline(
 /**
  * RTK corrections status: data (0x93,0x31).
  *
- * Which corrections come, and how old they are.
+ * Which corrections are received, and how old they are.
  *
  * Has the layout of mip_gnss_1_rtk_corrections_status. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2099,7 +2099,7 @@ struct mip_gnss_corrections_rtk_corrections_status {
      */
     uint16_t week_number;
     /**
-     * Corrections that came during this epoch. Valid if
+     * Corrections received during this epoch. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
     mip_gnss_1_rtk_epoch_status epoch_status;
@@ -2107,7 +2107,7 @@ struct mip_gnss_corrections_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -2211,10 +2211,10 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inlin
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -2483,8 +2483,8 @@ static inline mip_error mip_gnss_corrections_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2544,7 +2544,7 @@ struct mip_gnss_corrections_glonass_ephemeris {
      */
     float velocity[3];
     /**
-     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
@@ -2715,13 +2715,13 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -2990,13 +2990,13 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3265,8 +3265,8 @@ static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3364,8 +3364,8 @@ static inline mip_error mip_gnss_corrections_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3388,7 +3388,7 @@ struct mip_gnss_corrections_galileo_iono_correction {
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each stands for.
+     * Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
@@ -3460,8 +3460,8 @@ static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode_inli
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */

@@ -5,7 +5,7 @@
  * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
  * GNSS data sets the same fields.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H
@@ -30,7 +30,7 @@ extern "C" {
  * GNSS position as latitude, longitude and height.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_llh_position. Also called
- * `pos_llh`. Known from the MicroStrain MIP SDK only.
+ * `pos_llh`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -135,7 +135,7 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
  * GNSS position in Earth-fixed coordinates.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
- * `pos_ecef`. Known from the MicroStrain MIP SDK only.
+ * `pos_ecef`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -216,7 +216,7 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  * GNSS velocity in the local level frame.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ned_velocity. Also called
- * `vel_ned`. Known from the MicroStrain MIP SDK only.
+ * `vel_ned`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -404,8 +404,8 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known from the MicroStrain
- * MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -495,8 +495,8 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
  *
  * Coordinated universal time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -533,7 +533,7 @@ struct mip_gnss_data_utc_time {
      * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** How far the time is valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
@@ -604,8 +604,8 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -678,10 +678,10 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known only from the
+ * MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it and tells more.
+ * Clock info 2 replaces it and gives more detail.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -761,10 +761,10 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
 /**
  * Fix info: data (0x81,0x0B).
  *
- * Type of the position fix and what it is made of.
+ * Type of the position fix and what it is based on.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -775,11 +775,11 @@ struct mip_gnss_data_fix_info {
      */
     uint8_t fix_type;
     /**
-     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
      */
     uint8_t num_sv;
-    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_1_fix_flags fix_flags;
     /** Which values are valid. */
     mip_gnss_1_fix_info_flags valid_flags;
@@ -844,10 +844,10 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
- * only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
- * The satellites come as one field each, in packets apart from other GNSS data.
+ * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -943,7 +943,7 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
  * State of the receiver and of its antenna.
  *
  * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by 3DM-GX5-45.
- * Known from the MicroStrain MIP SDK only.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1027,10 +1027,10 @@ static inline mip_error mip_gnss_data_hardware_status_encode_inline(
  * State of the differential corrections.
  *
  * Has the layout of mip_gnss_1_dgps_info. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
- * layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It
- * agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which
- * is that of mip_gnss_1_dgps_channel and does not agree with its own valid flags (age, base station
- * id, base station status, number of channels).
+ * layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees
+ * with the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It is that
+ * of mip_gnss_1_dgps_channel and does not agree with its own valid flags (age, base station id,
+ * base station status, number of channels).
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -1122,10 +1122,10 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
- * The active satellites come as one field each, all in one packet.
+ * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1215,8 +1215,8 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1308,8 +1308,8 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1378,8 +1378,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1476,8 +1476,8 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1500,8 +1500,8 @@ struct mip_gnss_data_sbas_correction {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Indicator of the range error that is left after fast and long-term corrections, the
-     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * Indicator of the range error that remains after fast and long-term corrections, not counting
+     * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
      * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
@@ -1588,10 +1588,10 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
 /**
  * RF error detection: data (0x81,0x14).
  *
- * Jamming and spoofing as the receiver detects them in one band.
+ * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1676,10 +1676,10 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
 /**
  * Satellite status: data (0x81,0x20).
  *
- * Where one satellite stands, and its health.
+ * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1800,8 +1800,8 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -1977,8 +1977,8 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2084,10 +2084,10 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
 /**
  * RTK corrections status: data (0x81,0x31).
  *
- * Which corrections come, and how old they are.
+ * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2103,7 +2103,7 @@ struct mip_gnss_data_rtk_corrections_status {
      */
     uint16_t week_number;
     /**
-     * Corrections that came during this epoch. Valid if
+     * Corrections received during this epoch. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
     mip_gnss_1_rtk_epoch_status epoch_status;
@@ -2111,7 +2111,7 @@ struct mip_gnss_data_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -2215,10 +2215,10 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2487,8 +2487,8 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2548,7 +2548,7 @@ struct mip_gnss_data_glonass_ephemeris {
      */
     float velocity[3];
     /**
-     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
@@ -2719,13 +2719,13 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2994,13 +2994,13 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -3269,8 +3269,8 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -3368,8 +3368,8 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -3392,7 +3392,7 @@ struct mip_gnss_data_galileo_iono_correction {
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each stands for.
+     * Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
@@ -3464,8 +3464,8 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */

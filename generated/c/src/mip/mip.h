@@ -1,7 +1,7 @@
 /**
  * @file
- * All of the library, for programs that do not mind how long they compile: nothing that they do not
- * use is linked. Others include the headers of the sets that they need.
+ * The whole library. It takes longer to compile than the headers of single descriptor sets, but
+ * nothing that a program does not use is linked.
  */
 #ifndef MIP_MIP_H
 #define MIP_MIP_H

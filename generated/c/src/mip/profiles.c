@@ -10,10 +10,10 @@ static const char *const cl5_10_also[] = {
 };
 
 static const char *const cl5_10_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cl5_10_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cl5_10_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field cl5_10_fields[] = {
     {0x01, 0x01, "", cl5_10_evidence_1}, /* base.ping */
@@ -57,14 +57,14 @@ static const char *const cl5_15_also[] = {
 };
 
 static const char *const cl5_15_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cl5_15_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cl5_15_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cl5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cl5_15_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cl5_15_evidence_3[] = "MSCL asks for it on this device.";
+static const char cl5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cl5_15_fields[] = {
     {0x01, 0x01, "", cl5_15_evidence_1},      /* base.ping */
@@ -81,7 +81,7 @@ static const struct mip_profile_field cl5_15_fields[] = {
 
 static const struct mip_profile_note cl5_15_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -125,14 +125,14 @@ static const char *const cl5_25_also[] = {
 };
 
 static const char *const cl5_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cl5_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cl5_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cl5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cl5_25_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cl5_25_evidence_3[] = "MSCL asks for it on this device.";
+static const char cl5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cl5_25_fields[] = {
     {0x01, 0x01, "", cl5_25_evidence_1},      /* base.ping */
@@ -148,7 +148,7 @@ static const struct mip_profile_field cl5_25_fields[] = {
 
 static const struct mip_profile_note cl5_25_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -192,14 +192,14 @@ static const char *const cv5_10_also[] = {
 };
 
 static const char *const cv5_10_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cv5_10_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv5_10_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cv5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cv5_10_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cv5_10_evidence_3[] = "MSCL asks for it on this device.";
+static const char cv5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_10_fields[] = {
     {0x01, 0x01, "", cv5_10_evidence_1},      /* base.ping */
@@ -214,7 +214,7 @@ static const struct mip_profile_field cv5_10_fields[] = {
 
 static const struct mip_profile_note cv5_10_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -258,14 +258,14 @@ static const char *const cv5_15_also[] = {
 };
 
 static const char *const cv5_15_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cv5_15_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv5_15_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cv5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cv5_15_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cv5_15_evidence_3[] = "MSCL asks for it on this device.";
+static const char cv5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_15_fields[] = {
     {0x01, 0x01, "", cv5_15_evidence_1},      /* base.ping */
@@ -282,7 +282,7 @@ static const struct mip_profile_field cv5_15_fields[] = {
 
 static const struct mip_profile_note cv5_15_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -326,14 +326,14 @@ static const char *const cv5_25_also[] = {
 };
 
 static const char *const cv5_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cv5_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv5_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cv5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cv5_25_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cv5_25_evidence_3[] = "MSCL asks for it on this device.";
+static const char cv5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cv5_25_fields[] = {
     {0x01, 0x01, "", cv5_25_evidence_1},      /* base.ping */
@@ -349,7 +349,7 @@ static const struct mip_profile_field cv5_25_fields[] = {
 
 static const struct mip_profile_note cv5_25_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -389,16 +389,16 @@ const struct mip_profile mip_profile_cv5_25 = {
 /* 3DM-CV7-AHRS. */
 
 static const char *const cv7_ahrs_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
+    "Only some pages of the manual are known, so it has more commands and data.",
     "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ahrs_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv7_ahrs_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cv7_ahrs_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cv7_ahrs_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const char cv7_ahrs_evidence_3[] =
-    "The manual says of what firmware which filter can be set.";
+    "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field cv7_ahrs_fields[] = {
     {0x01, 0x01, "", cv7_ahrs_evidence_1},      /* base.ping */
@@ -440,7 +440,7 @@ static const struct mip_profile_port cv7_ahrs_ports[] = {
 };
 
 static const struct mip_profile_limit cv7_ahrs_limits[] = {
-    {"event_triggers", 12, "", "Triggers in all."},
+    {"event_triggers", 12, "", "Total number of triggers."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
     {"event_combination_triggers", 8, "", "Combination triggers."},
@@ -460,11 +460,12 @@ static const char *const cv7_ahrs_anti_aliasing_cells[] = {
 
 static const struct mip_profile_note cv7_ahrs_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
-     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has "
+     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
      cv7_ahrs_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+     "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or "
+     "timestamp events.",
      NULL, 0, 0},
 };
 
@@ -498,15 +499,16 @@ const struct mip_profile mip_profile_cv7_ahrs = {
 /* 3DM-CV7-AR. */
 
 static const char *const cv7_ar_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
+    "Only some pages of the manual are known, so it has more commands and data.",
     "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ar_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv7_ar_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cv7_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cv7_ar_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cv7_ar_evidence_3[] = "The manual says of what firmware which filter can be set.";
+static const char cv7_ar_evidence_3[] =
+    "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field cv7_ar_fields[] = {
     {0x01, 0x01, "", cv7_ar_evidence_1},      /* base.ping */
@@ -548,7 +550,7 @@ static const struct mip_profile_port cv7_ar_ports[] = {
 };
 
 static const struct mip_profile_limit cv7_ar_limits[] = {
-    {"event_triggers", 12, "", "Triggers in all."},
+    {"event_triggers", 12, "", "Total number of triggers."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
     {"event_combination_triggers", 8, "", "Combination triggers."},
@@ -568,11 +570,12 @@ static const char *const cv7_ar_anti_aliasing_cells[] = {
 
 static const struct mip_profile_note cv7_ar_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
-     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.07 has "
+     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
      cv7_ar_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+     "According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or "
+     "timestamp events.",
      NULL, 0, 0},
 };
 
@@ -606,7 +609,7 @@ const struct mip_profile mip_profile_cv7_ar = {
 /* 3DM-CV7-GNSS/INS. */
 
 static const char cv7_gnss_ins_evidence_1[] =
-    "The page on ports of the manual names it, but the list of commands does not.";
+    "The page on ports in the manual names it, but the list of commands does not.";
 
 static const struct mip_profile_field cv7_gnss_ins_fields[] = {
     {0x01, 0x01, "", NULL},                         /* base.ping */
@@ -816,11 +819,11 @@ static const struct mip_profile_port cv7_gnss_ins_ports[] = {
 };
 
 static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
-    {"event_triggers", 12, "", "Triggers in all."},
+    {"event_triggers", 12, "", "Total number of triggers."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
     {"event_combination_triggers", 8, "", "Combination triggers."},
-    {"event_actions", 12, "", "Actions in all."},
+    {"event_actions", 12, "", "Total number of actions."},
     {"event_gpio_actions", 6, "", "GPIO actions."},
     {"event_message_actions", 8, "", "Message actions."},
     {"event_message_fields", 12, "", "Fields in the packet of one message action."},
@@ -837,13 +840,13 @@ static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate."},
     {"time_update_window", 250, "ms",
      "Time after the rising edge of the PPS within which the GPS time update must arrive."},
-    {"save_time", 1, "s", "Time that a save of all settings may take."},
+    {"save_time", 1, "s", "Time that saving all settings may take."},
     {"motion_latency", 1.9, "ms",
-     "Typical time from a motion to the message that reports it, without its transmission."},
+     "Typical time from a motion to the message that reports it, not including transmission."},
     {"timestamp_repeatability", 1, "us",
-     "Bound of the typical variation of sensor timestamps by internal processing."},
+     "Upper bound of the typical variation of sensor timestamps due to internal processing."},
     {"gpio_timestamp_accuracy", 1, "us",
-     "Bound of the typical error of GPIO timestamps, which is far smaller."},
+     "Upper bound of the error of GPIO timestamps; the error is far smaller."},
     {"antenna_offset_error", 0.5, "m",
      "Highest value of the maximum offset of the antenna lever arm calibration."},
 };
@@ -1039,7 +1042,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
     {"ports", "Ports",
      "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always "
      "enabled on it. The others must be enabled first. All ports stream the same data; replies to "
-     "polls go to the port that asked.",
+     "polls go to the port that sent the poll.",
      cv7_gnss_ins_ports_cells, 7, 3},
     {"anti_aliasing", "Anti-aliasing low-pass filter",
      "Data that `3dm.low_pass_filter` can filter.", cv7_gnss_ins_anti_aliasing_cells, 8, 3},
@@ -1058,24 +1061,24 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "rate of 5 Hz, so its decimation must be 3 or more.",
      cv7_gnss_ins_nmea_output_cells, 11, 4},
     {"nmea_input", "NMEA input",
-     "Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and "
-     "GSV. They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is set "
-     "to receive, by that one only. An epoch is processed when a sentence with another time "
-     "arrives.",
+     "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL "
+     "and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a "
+     "UART is configured to receive, on that one only. An epoch is processed when a sentence with "
+     "another time arrives.",
      NULL, 0, 0},
     {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
     {"gnss_signals", "GNSS signals",
-     "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can "
-     "be enabled together by `gnss.signal_config`.",
+     "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be "
+     "enabled, and GPS L1 with BeiDou L1 alone is refused.",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
-     "Settings of `3dm.sensor_range`. The manual prints them for sister models and cuts the "
-     "gyroscope column off; ask the device by `3dm.get_calibrated_sensor_ranges`.",
+     "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope "
+     "column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
-     "Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a "
-     "duty cycle of 50 % and its rising edge begins the second.",
+     "Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a "
+     "duty cycle of 50 %; each second begins at its rising edge.",
      NULL, 0, 0},
 };
 
@@ -1121,11 +1124,11 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
 /* 3DM-CV7-INS. */
 
 static const char *const cv7_ins_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
+    "Only some pages of the manual are known, so it has more commands and data.",
     "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
 };
 
-static const char cv7_ins_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cv7_ins_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const char cv7_ins_evidence_2[] =
     "A test site of the vendor lists it for this device; the firmware is not known.";
@@ -1193,14 +1196,14 @@ static const char *const cx5_10_also[] = {
 };
 
 static const char *const cx5_10_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cx5_10_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cx5_10_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cx5_10_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cx5_10_evidence_3[] = "MSCL asks for it on this device.";
+static const char cx5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_10_fields[] = {
     {0x01, 0x01, "", cx5_10_evidence_1},      /* base.ping */
@@ -1215,7 +1218,7 @@ static const struct mip_profile_field cx5_10_fields[] = {
 
 static const struct mip_profile_note cx5_10_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -1259,14 +1262,14 @@ static const char *const cx5_15_also[] = {
 };
 
 static const char *const cx5_15_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cx5_15_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cx5_15_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cx5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cx5_15_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cx5_15_evidence_3[] = "MSCL asks for it on this device.";
+static const char cx5_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_15_fields[] = {
     {0x01, 0x01, "", cx5_15_evidence_1},      /* base.ping */
@@ -1281,7 +1284,7 @@ static const struct mip_profile_field cx5_15_fields[] = {
 
 static const struct mip_profile_note cx5_15_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -1325,14 +1328,14 @@ static const char *const cx5_25_also[] = {
 };
 
 static const char *const cx5_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cx5_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cx5_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cx5_25_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cx5_25_evidence_3[] = "MSCL asks for it on this device.";
+static const char cx5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_25_fields[] = {
     {0x01, 0x01, "", cx5_25_evidence_1},      /* base.ping */
@@ -1346,7 +1349,7 @@ static const struct mip_profile_field cx5_25_fields[] = {
 
 static const struct mip_profile_note cx5_25_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -1390,14 +1393,14 @@ static const char *const cx5_35_also[] = {
 };
 
 static const char *const cx5_35_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cx5_35_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cx5_35_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cx5_35_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cx5_35_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cx5_35_evidence_3[] = "MSCL asks for it on this device.";
+static const char cx5_35_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_35_fields[] = {
     {0x01, 0x01, "", cx5_35_evidence_1},      /* base.ping */
@@ -1411,7 +1414,7 @@ static const struct mip_profile_field cx5_35_fields[] = {
 
 static const struct mip_profile_note cx5_35_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -1455,14 +1458,14 @@ static const char *const cx5_45_also[] = {
 };
 
 static const char *const cx5_45_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char cx5_45_evidence_1[] = "The vendor's software asks every device for it.";
+static const char cx5_45_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char cx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char cx5_45_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char cx5_45_evidence_3[] = "MSCL asks for it on this device.";
+static const char cx5_45_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field cx5_45_fields[] = {
     {0x01, 0x01, "", cx5_45_evidence_1},      /* base.ping */
@@ -1476,7 +1479,7 @@ static const struct mip_profile_field cx5_45_fields[] = {
 
 static const struct mip_profile_note cx5_45_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -1516,12 +1519,12 @@ const struct mip_profile mip_profile_cx5_45 = {
 /* 3DM-DH3. */
 
 static const char *const dh3_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char dh3_evidence_1[] = "The vendor's software asks every device for it.";
+static const char dh3_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char dh3_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char dh3_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field dh3_fields[] = {
     {0x01, 0x01, "", dh3_evidence_1},      /* base.ping */
@@ -1539,7 +1542,7 @@ static const struct mip_profile_reading dh3_readings[] = {
 
 const struct mip_profile mip_profile_dh3 = {
     "3dm-dh3",  "3DM-DH3",
-    "",         "Device of generation 3, known by its name and its number.",
+    "",         "Device of generation 3, known only by its name and its number.",
     6219, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -1561,12 +1564,12 @@ const struct mip_profile mip_profile_dh3 = {
 /* 3DM-GQ4-45. */
 
 static const char *const gq4_45_incomplete[] = {
-    "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` "
-    "and `system` follow.",
-    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    "The table of contents of the manual is known up to the commands of the set `3dm`. The sets "
+    "`filter` and `system` follow.",
+    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char gq4_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gq4_45_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gq4_45_fields[] = {
     {0x01, 0x01, "", NULL},                   /* base.ping */
@@ -1609,7 +1612,7 @@ static const struct mip_profile_field gq4_45_fields[] = {
 
 static const struct mip_profile_note gq4_45_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gq4_45_response`.",
      NULL, 0, 0},
 };
@@ -1653,15 +1656,16 @@ static const char *const gq7_also[] = {
 };
 
 static const char *const gq7_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
+    "Only some pages of the manual are known, so it has more commands and data.",
     "The baud rates of the Aux port are not known, nor all of its protocols.",
 };
 
-static const char gq7_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gq7_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gq7_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gq7_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gq7_evidence_3[] = "The manual says of what firmware which filter can be set.";
+static const char gq7_evidence_3[] =
+    "The manual says which filter command each firmware version has.";
 
 static const struct mip_profile_field gq7_fields[] = {
     {0x01, 0x01, "", gq7_evidence_1},      /* base.ping */
@@ -1719,13 +1723,14 @@ static const char *const gq7_gpio_pins_cells[] = {
 
 static const struct mip_profile_note gq7_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.10 there is "
-     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     "Data that `3dm.low_pass_filter` can filter. Firmware up to 1.0.10 has "
+     "`3dm.imu_low_pass_filter` instead, for sensor data only.",
      gq7_anti_aliasing_cells, 8, 3},
     {"firmware", "Firmware",
-     "The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.", NULL, 0,
-     0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, by MSCL.", gq7_gpio_pins_cells, 5, 2},
+     "The system data set 0xA0 and NMEA on the main port require firmware later than 1.0.10.", NULL,
+     0, 0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gq7_gpio_pins_cells, 5,
+     2},
     {"nmea_output", "NMEA output",
      "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.", NULL,
      0, 0},
@@ -1755,10 +1760,10 @@ const struct mip_profile mip_profile_gq7 = {
 /* 3DM-GV7-AHRS. */
 
 static const char *const gv7_ahrs_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gv7_ahrs_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gv7_ahrs_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ahrs_fields[] = {
     {0x01, 0x01, "", gv7_ahrs_evidence_1}, /* base.ping */
@@ -1798,10 +1803,10 @@ const struct mip_profile mip_profile_gv7_ahrs = {
 /* 3DM-GV7-AR. */
 
 static const char *const gv7_ar_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gv7_ar_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gv7_ar_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ar_fields[] = {
     {0x01, 0x01, "", gv7_ar_evidence_1}, /* base.ping */
@@ -1841,10 +1846,10 @@ const struct mip_profile mip_profile_gv7_ar = {
 /* 3DM-GV7-INS. */
 
 static const char *const gv7_ins_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gv7_ins_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gv7_ins_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field gv7_ins_fields[] = {
     {0x01, 0x01, "", gv7_ins_evidence_1}, /* base.ping */
@@ -1884,12 +1889,12 @@ const struct mip_profile mip_profile_gv7_ins = {
 /* 3DM-GX3-15. */
 
 static const char *const gx3_15_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx3_15_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx3_15_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx3_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx3_15_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_15_fields[] = {
     {0x01, 0x01, "", gx3_15_evidence_1},      /* base.ping */
@@ -1909,7 +1914,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     "3dm-gx3-15",
     "3DM-GX3-15",
     "",
-    "Device of generation 3, known by its name and its number.",
+    "Device of generation 3, known only by its name and its number.",
     6227, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -1935,12 +1940,12 @@ const struct mip_profile mip_profile_gx3_15 = {
 /* 3DM-GX3-25. */
 
 static const char *const gx3_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx3_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx3_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx3_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx3_25_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_25_fields[] = {
     {0x01, 0x01, "", gx3_25_evidence_1},      /* base.ping */
@@ -1960,7 +1965,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     "3dm-gx3-25",
     "3DM-GX3-25",
     "",
-    "Device of generation 3, known by its name and its number.",
+    "Device of generation 3, known only by its name and its number.",
     6223, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -1986,12 +1991,12 @@ const struct mip_profile mip_profile_gx3_25 = {
 /* 3DM-GX3-35. */
 
 static const char *const gx3_35_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx3_35_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx3_35_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx3_35_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx3_35_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_35_fields[] = {
     {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
@@ -2011,7 +2016,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     "3dm-gx3-35",
     "3DM-GX3-35",
     "",
-    "Device of generation 3, known by its name and its number.",
+    "Device of generation 3, known only by its name and its number.",
     6225, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -2037,12 +2042,12 @@ const struct mip_profile mip_profile_gx3_35 = {
 /* 3DM-GX3-45. */
 
 static const char *const gx3_45_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx3_45_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx3_45_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx3_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx3_45_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx3_45_fields[] = {
     {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
@@ -2068,7 +2073,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     "3dm-gx3-45",
     "3DM-GX3-45",
     "",
-    "Device of generation 3, known by its name and its number.",
+    "Device of generation 3, known only by its name and its number.",
     6228, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -2094,14 +2099,14 @@ const struct mip_profile mip_profile_gx3_45 = {
 /* 3DM-GX4-15. */
 
 static const char *const gx4_15_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx4_15_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx4_15_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx4_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx4_15_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gx4_15_evidence_3[] = "MSCL asks for it on this device.";
+static const char gx4_15_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_15_fields[] = {
     {0x01, 0x01, "", gx4_15_evidence_1},      /* base.ping */
@@ -2119,7 +2124,7 @@ static const struct mip_profile_field gx4_15_fields[] = {
 
 static const struct mip_profile_note gx4_15_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
@@ -2133,7 +2138,7 @@ const struct mip_profile mip_profile_gx4_15 = {
     "3dm-gx4-15",
     "3DM-GX4-15",
     "",
-    "Device of generation 4, known by its name and its number.",
+    "Device of generation 4, known only by its name and its number.",
     6233, /* model number */
     4,    /* generation */
     0,    /* other names */
@@ -2159,14 +2164,14 @@ const struct mip_profile mip_profile_gx4_15 = {
 /* 3DM-GX4-25. */
 
 static const char *const gx4_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx4_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx4_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx4_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx4_25_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gx4_25_evidence_3[] = "MSCL asks for it on this device.";
+static const char gx4_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_25_fields[] = {
     {0x01, 0x01, "", gx4_25_evidence_1},      /* base.ping */
@@ -2185,7 +2190,7 @@ static const struct mip_profile_field gx4_25_fields[] = {
 
 static const struct mip_profile_note gx4_25_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
@@ -2199,7 +2204,7 @@ const struct mip_profile mip_profile_gx4_25 = {
     "3dm-gx4-25",
     "3DM-GX4-25",
     "",
-    "Device of generation 4, known by its name and its number.",
+    "Device of generation 4, known only by its name and its number.",
     6234, /* model number */
     4,    /* generation */
     0,    /* other names */
@@ -2225,14 +2230,14 @@ const struct mip_profile mip_profile_gx4_25 = {
 /* 3DM-GX4-45. */
 
 static const char *const gx4_45_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx4_45_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx4_45_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx4_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx4_45_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gx4_45_evidence_3[] = "MSCL asks for it on this device.";
+static const char gx4_45_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx4_45_fields[] = {
     {0x01, 0x01, "", gx4_45_evidence_1},      /* base.ping */
@@ -2251,7 +2256,7 @@ static const struct mip_profile_field gx4_45_fields[] = {
 
 static const struct mip_profile_note gx4_45_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -2265,7 +2270,7 @@ const struct mip_profile mip_profile_gx4_45 = {
     "3dm-gx4-45",
     "3DM-GX4-45",
     "",
-    "Device of generation 4, known by its name and its number.",
+    "Device of generation 4, known only by its name and its number.",
     6236, /* model number */
     4,    /* generation */
     0,    /* other names */
@@ -2295,14 +2300,14 @@ static const char *const gx5_10_also[] = {
 };
 
 static const char *const gx5_10_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx5_10_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx5_10_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx5_10_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gx5_10_evidence_3[] = "MSCL asks for it on this device.";
+static const char gx5_10_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx5_10_fields[] = {
     {0x01, 0x01, "", gx5_10_evidence_1},      /* base.ping */
@@ -2317,7 +2322,7 @@ static const struct mip_profile_field gx5_10_fields[] = {
 
 static const struct mip_profile_note gx5_10_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -2470,23 +2475,23 @@ static const struct mip_profile_note gx5_15_notes[] = {
      "before computing a decimation.",
      NULL, 0, 0},
     {"frames", "Frame of the sensor data",
-     "`filter.sensor_to_vehicle_rotation_euler` turns scaled acceleration and angular rate, delta "
-     "theta and delta velocity, as well as the outputs of the estimation filter other than the "
-     "gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs "
-     "of the complementary filter.",
+     "`filter.sensor_to_vehicle_rotation_euler` rotates scaled acceleration and angular rate, "
+     "delta theta and delta velocity, as well as the outputs of the estimation filter other than "
+     "the gyroscope bias. Until it is set, they are in the sensor frame. It does not rotate the "
+     "outputs of the complementary filter.",
      NULL, 0, 0},
     {"low_pass_filter", "Low-pass filter", "Data that `3dm.imu_low_pass_filter` can select.",
      gx5_15_low_pass_filter_cells, 4, 3},
     {"uart", "UART",
-     "The default baud rate is 115200. There is no handshake; data that do not fit are dropped.",
+     "The default baud rate is 115200. There is no handshake; data that does not fit is dropped.",
      NULL, 0, 0},
     {"time", "Time synchronization",
      "The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per "
      "second. The filter timestamp and the sensor timestamp follow it.",
      NULL, 0, 0},
     {"direct_mode", "Direct mode",
-     "`system.comm_mode` connects the port to the inertial sensor inside. Only that command and "
-     "`3dm.device_status` stay available meanwhile.",
+     "`system.comm_mode` connects the port to the internal inertial sensor. Meanwhile, only that "
+     "command and `3dm.device_status` are available.",
      NULL, 0, 0},
 };
 
@@ -2536,14 +2541,14 @@ static const char *const gx5_25_also[] = {
 };
 
 static const char *const gx5_25_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char gx5_25_evidence_1[] = "The vendor's software asks every device for it.";
+static const char gx5_25_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char gx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx5_25_evidence_2[] = "MSCL lists the choices for this device.";
 
-static const char gx5_25_evidence_3[] = "MSCL asks for it on this device.";
+static const char gx5_25_evidence_3[] = "MSCL requests it from this device.";
 
 static const struct mip_profile_field gx5_25_fields[] = {
     {0x01, 0x01, "", gx5_25_evidence_1},      /* base.ping */
@@ -2559,7 +2564,7 @@ static const struct mip_profile_field gx5_25_fields[] = {
 
 static const struct mip_profile_note gx5_25_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -2603,11 +2608,11 @@ static const char *const gx5_35_also[] = {
 };
 
 static const char *const gx5_35_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
+    "Only some pages of the manual are known, so it has more commands and data.",
 };
 
-static const char gx5_35_evidence_1[] = "The numbers of the sections leave room for it, and the "
-                                        "manual of a sister device has it there.";
+static const char gx5_35_evidence_1[] =
+    "The section numbers leave room for it, and the manual of a related device has it there.";
 
 static const struct mip_profile_field gx5_35_fields[] = {
     {0x01, 0x01, "", NULL},                    /* base.ping */
@@ -2680,7 +2685,7 @@ static const struct mip_profile_limit gx5_35_limits[] = {
 
 static const struct mip_profile_note gx5_35_notes[] = {
     {"receiver", "Receiver",
-     "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.", NULL, 0, 0},
+     "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou cannot be used together.", NULL, 0, 0},
     {"streams", "Streams",
      "The manual lists the selectors of the sensor and the filter stream, though the device has no "
      "filter.",
@@ -2731,14 +2736,14 @@ static const char *const gx5_45_also[] = {
 };
 
 static const char *const gx5_45_incomplete[] = {
-    "Only single pages of the manual are known, so it has more commands and data.",
-    "Of the filter data four fields are listed, and the manual has 27 or more.",
+    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only four fields of the filter data are listed; the manual has 27 or more.",
 };
 
-static const char gx5_45_evidence_1[] = "The numbers of the sections leave room for it, and the "
-                                        "manual of a sister device has it there.";
+static const char gx5_45_evidence_1[] =
+    "The section numbers leave room for it, and the manual of a related device has it there.";
 
-static const char gx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char gx5_45_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field gx5_45_fields[] = {
     {0x01, 0x01, "", gx5_45_evidence_1},       /* base.ping */
@@ -2859,20 +2864,20 @@ static const struct mip_profile_port gx5_45_ports[] = {
 static const struct mip_profile_limit gx5_45_limits[] = {
     {"baud_rate_delay", 250, "ms",
      "Time from the acknowledge of a new baud rate until commands are answered at that rate."},
-    {"rtcm_chunk", 253, "byte", "Most bytes of RTCM in one field."},
+    {"rtcm_chunk", 253, "byte", "Maximum number of RTCM bytes in one field."},
 };
 
 static const struct mip_profile_note gx5_45_notes[] = {
     {"rtcm", "RTCM input",
-     "A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes "
-     "RTCM 2.3. The receiver uses the messages 1, 2, 3 and 9.",
+     "The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not "
+     "known. The receiver uses the messages 1, 2, 3 and 9.",
      NULL, 0, 0},
     {"functions", "Functions that the specification does not define",
      "The manual has a read of `3dm.device_settings`, which is answered with the settings of all "
      "commands.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -2916,12 +2921,12 @@ static const char *const mv5_ar_also[] = {
 };
 
 static const char *const mv5_ar_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char mv5_ar_evidence_1[] = "The vendor's software asks every device for it.";
+static const char mv5_ar_evidence_1[] = "The vendor's software requests it from every device.";
 
-static const char mv5_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
+static const char mv5_ar_evidence_2[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field mv5_ar_fields[] = {
     {0x01, 0x01, "", mv5_ar_evidence_1},      /* base.ping */
@@ -2941,7 +2946,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     "3dm-mv5-ar",
     "3DM-MV5-AR",
     "",
-    "Device of generation 5, known by its name and its number.",
+    "Device of generation 5, known only by its name and its number.",
     6243, /* model number */
     5,    /* generation */
     1,    /* other names */
@@ -2971,12 +2976,12 @@ static const char *const rq1_45_lt_also[] = {
 };
 
 static const char *const rq1_45_lt_incomplete[] = {
-    "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` "
-    "follows.",
-    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    "The table of contents of the manual is known up to `filter.set_initial_heading`. The set "
+    "`system` follows.",
+    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char rq1_45_lt_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char rq1_45_lt_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field rq1_45_lt_fields[] = {
     {0x01, 0x01, "", NULL},                      /* base.ping */
@@ -3019,11 +3024,11 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
 
 static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
      NULL, 0, 0},
-    {"absent", "What it has not",
-     "By the contents of the manual, neither `base.gps_time_update` nor "
+    {"absent", "What it lacks",
+     "According to the table of contents of the manual, it has neither `base.gps_time_update` nor "
      "`3dm.complementary_filter`.",
      NULL, 0, 0},
 };
@@ -3067,12 +3072,12 @@ static const char *const rq1_45_st_also[] = {
 };
 
 static const char *const rq1_45_st_incomplete[] = {
-    "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` "
-    "follows.",
-    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    "The table of contents of the manual is known up to `filter.set_initial_heading`. The set "
+    "`system` follows.",
+    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
 };
 
-static const char rq1_45_st_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char rq1_45_st_evidence_1[] = "MSCL lists the choices for this device.";
 
 static const struct mip_profile_field rq1_45_st_fields[] = {
     {0x01, 0x01, "", NULL},                      /* base.ping */
@@ -3115,11 +3120,11 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
 
 static const struct mip_profile_note rq1_45_st_notes[] = {
     {"device_status", "Device status",
-     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
      NULL, 0, 0},
-    {"absent", "What it has not",
-     "By the contents of the manual, neither `base.gps_time_update` nor "
+    {"absent", "What it lacks",
+     "According to the table of contents of the manual, it has neither `base.gps_time_update` nor "
      "`3dm.complementary_filter`.",
      NULL, 0, 0},
 };
@@ -3159,10 +3164,10 @@ const struct mip_profile mip_profile_rq1_45_st = {
 /* 3DM-RTK. */
 
 static const char *const rtk_incomplete[] = {
-    "No manual is known. The SDK has its name and number only.",
+    "No manual is known. The SDK gives only its name and number.",
 };
 
-static const char rtk_evidence_1[] = "The vendor's software asks every device for it.";
+static const char rtk_evidence_1[] = "The vendor's software requests it from every device.";
 
 static const struct mip_profile_field rtk_fields[] = {
     {0x01, 0x01, "", rtk_evidence_1}, /* base.ping */

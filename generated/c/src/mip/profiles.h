@@ -1,6 +1,6 @@
 /**
  * @file
- * The devices. Plain tables: a program that names one device links only that.
+ * The devices. Plain tables: a program that uses one device links only that one.
  */
 #ifndef MIP_PROFILES_H
 #define MIP_PROFILES_H
@@ -19,8 +19,8 @@ extern "C" {
 /**
  * 3DM-CL5-10: Inertial measurement unit.
  *
- * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
+ * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
  * list it among the devices with streams or a device status.
  *
  * - mip-sdk-4: Device models
@@ -31,8 +31,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_10;
 /**
  * 3DM-CL5-15: Attitude reference.
  *
- * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -42,8 +42,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_15;
 /**
  * 3DM-CL5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -53,8 +53,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_25;
 /**
  * 3DM-CV5-10: Inertial measurement unit.
  *
- * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -64,8 +64,8 @@ extern MIP_API const struct mip_profile mip_profile_cv5_10;
 /**
  * 3DM-CV5-15: Attitude reference.
  *
- * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -75,8 +75,8 @@ extern MIP_API const struct mip_profile mip_profile_cv5_15;
 /**
  * 3DM-CV5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -87,10 +87,10 @@ extern MIP_API const struct mip_profile mip_profile_cv5_25;
  * 3DM-CV7-AHRS: Attitude and heading reference system.
  *
  * Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
- * known from single pages. This profile is incomplete: Only single pages of the manual are known,
- * so it has more commands and data. This profile is incomplete: The limits are those of firmware
- * 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
- * mip_filter_magnetic_declination_source only; the manual has `wmm` too.
+ * known from some pages. This profile is incomplete: Only some pages of the manual are known, so it
+ * has more commands and data. This profile is incomplete: The limits are those of firmware 1.0.04
+ * and later. Uncertain: MSCL offers only the values `none` and `manual` of
+ * mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -101,10 +101,10 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ahrs;
  * 3DM-CV7-AR: Attitude reference.
  *
  * Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
- * known from single pages. This profile is incomplete: Only single pages of the manual are known,
- * so it has more commands and data. This profile is incomplete: The limits are those of firmware
- * 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
- * mip_filter_magnetic_declination_source only; the manual has `wmm` too.
+ * known from some pages. This profile is incomplete: Only some pages of the manual are known, so it
+ * has more commands and data. This profile is incomplete: The limits are those of firmware 1.0.04
+ * and later. Uncertain: MSCL offers only the values `none` and `manual` of
+ * mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -125,10 +125,10 @@ extern MIP_API const struct mip_profile mip_profile_cv7_gnss_ins;
  * 3DM-CV7-INS: Inertial navigation system without a GNSS receiver of its own.
  *
  * Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
- * from single pages. This profile is incomplete: Only single pages of the manual are known, so it
- * has more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94,
- * 0x95, 0xA0 and 0xFF. Uncertain: The set 0x95 is named by a test site of the vendor only.
- * Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+ * from some pages. This profile is incomplete: Only some pages of the manual are known, so it has
+ * more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95,
+ * 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the set 0x95. Uncertain: The base
+ * rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -138,8 +138,8 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ins;
 /**
  * 3DM-CX5-10: Inertial measurement unit.
  *
- * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -149,9 +149,9 @@ extern MIP_API const struct mip_profile mip_profile_cx5_10;
 /**
  * 3DM-CX5-15: Attitude reference.
  *
- * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
- * list it among those for which it limits the choices of the filter.
+ * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+ * list it among the devices for which it limits the choices of the filter.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -161,9 +161,9 @@ extern MIP_API const struct mip_profile mip_profile_cx5_15;
 /**
  * 3DM-CX5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
- * list it among those for which it limits the choices of the filter.
+ * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+ * list it among the devices for which it limits the choices of the filter.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -173,8 +173,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_25;
 /**
  * 3DM-CX5-35: Attitude and heading reference with GNSS.
  *
- * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
- * profile is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
+ * is incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -184,8 +184,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
 /**
  * 3DM-CX5-45: Inertial navigation system with GNSS.
  *
- * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
- * profile is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual is known. This profile
+ * is incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -193,10 +193,10 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
 extern MIP_API const struct mip_profile mip_profile_cx5_45;
 
 /**
- * 3DM-DH3: Device of generation 3, known by its name and its number.
+ * 3DM-DH3: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 3. Model number 6219. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -207,10 +207,10 @@ extern MIP_API const struct mip_profile mip_profile_dh3;
  * 3DM-GQ4-45: Tactical grade inertial navigation system with GNSS.
  *
  * Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
- * September 26, 2015, known from its contents. This profile is incomplete: The contents of the
- * manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow. This
- * profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
- * Uncertain: It may take raw RTCM by a command of which the layout is not known.
+ * September 26, 2015, known from its table of contents. This profile is incomplete: The table of
+ * contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and
+ * `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of
+ * whose fields is known. Uncertain: It may accept raw RTCM by a command whose layout is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -221,11 +221,11 @@ extern MIP_API const struct mip_profile mip_profile_gq4_45;
  * 3DM-GQ7-GNSS/INS: Inertial navigation system with two GNSS receivers.
  *
  * Also called 3DM-GQ7. Generation 7. Model number 6284. Manual: MicroStrain 3DM-GQ7 Documentation,
- * online, known from single pages. This profile is incomplete: Only single pages of the manual are
+ * online, known from some pages. This profile is incomplete: Only some pages of the manual are
  * known, so it has more commands and data. This profile is incomplete: The baud rates of the Aux
  * port are not known, nor all of its protocols. Uncertain: The values of
- * mip_filter_magnetic_declination_source are those that MSCL offers. Uncertain: By MSCL, firmware
- * from 1.0 on and below 1.1 has only the values `all_internal` and `external` of
+ * mip_filter_magnetic_declination_source are those that MSCL offers. Uncertain: According to MSCL,
+ * firmware from 1.0 to below 1.1 has only the values `all_internal` and `external` of
  * mip_filter_gnss_source.
  *
  * - mip-sdk-4: Device models
@@ -236,8 +236,8 @@ extern MIP_API const struct mip_profile mip_profile_gq7;
 /**
  * 3DM-GV7-AHRS: Attitude and heading reference system.
  *
- * Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -247,8 +247,8 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ahrs;
 /**
  * 3DM-GV7-AR: Attitude reference.
  *
- * Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -258,8 +258,8 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ar;
 /**
  * 3DM-GV7-INS: Inertial navigation system.
  *
- * Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -267,10 +267,10 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ar;
 extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 
 /**
- * 3DM-GX3-15: Device of generation 3, known by its name and its number.
+ * 3DM-GX3-15: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 3. Model number 6227. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -278,10 +278,10 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 extern MIP_API const struct mip_profile mip_profile_gx3_15;
 
 /**
- * 3DM-GX3-25: Device of generation 3, known by its name and its number.
+ * 3DM-GX3-25: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 3. Model number 6223. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -289,10 +289,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_15;
 extern MIP_API const struct mip_profile mip_profile_gx3_25;
 
 /**
- * 3DM-GX3-35: Device of generation 3, known by its name and its number.
+ * 3DM-GX3-35: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -300,10 +300,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_25;
 extern MIP_API const struct mip_profile mip_profile_gx3_35;
 
 /**
- * 3DM-GX3-45: Device of generation 3, known by its name and its number.
+ * 3DM-GX3-45: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -311,10 +311,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_35;
 extern MIP_API const struct mip_profile mip_profile_gx3_45;
 
 /**
- * 3DM-GX4-15: Device of generation 4, known by its name and its number.
+ * 3DM-GX4-15: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -322,10 +322,10 @@ extern MIP_API const struct mip_profile mip_profile_gx3_45;
 extern MIP_API const struct mip_profile mip_profile_gx4_15;
 
 /**
- * 3DM-GX4-25: Device of generation 4, known by its name and its number.
+ * 3DM-GX4-25: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 4. Model number 6234. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -333,10 +333,10 @@ extern MIP_API const struct mip_profile mip_profile_gx4_15;
 extern MIP_API const struct mip_profile mip_profile_gx4_25;
 
 /**
- * 3DM-GX4-45: Device of generation 4, known by its name and its number.
+ * 3DM-GX4-45: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -346,8 +346,8 @@ extern MIP_API const struct mip_profile mip_profile_gx4_45;
 /**
  * 3DM-GX5-10: Inertial measurement unit.
  *
- * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -369,8 +369,8 @@ extern MIP_API const struct mip_profile mip_profile_gx5_15;
 /**
  * 3DM-GX5-25: Attitude and heading reference system.
  *
- * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -381,9 +381,9 @@ extern MIP_API const struct mip_profile mip_profile_gx5_25;
  * 3DM-GX5-35: Attitude and heading reference with GNSS.
  *
  * Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
- * Manual, revision unknown, known from single pages. This profile is incomplete: Only single pages
- * of the manual are known, so it has more commands and data. Uncertain: The base rates are those
- * that the manual gives for all 3DM-GX5.
+ * Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
+ * the manual are known, so it has more commands and data. Uncertain: The base rates are those that
+ * the manual gives for all 3DM-GX5.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -394,13 +394,13 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * 3DM-GX5-45: Inertial navigation system with GNSS, magnetometer and pressure sensor.
  *
  * Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
- * Manual, 8500-0064 rev. C, known from single pages. This profile is incomplete: Only single pages
- * of the manual are known, so it has more commands and data. This profile is incomplete: Of the
- * filter data four fields are listed, and the manual has 27 or more. Uncertain: The base rates are
+ * Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
+ * the manual are known, so it has more commands and data. This profile is incomplete: Only four
+ * fields of the filter data are listed; the manual has 27 or more. Uncertain: The base rates are
  * those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
- * example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual prints
- * the length of mip_3dm_device_status_basic_stateless_response, and offsets of
- * mip_3dm_device_status_diagnostic_gx4_response, against MSCL.
+ * example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives
+ * the length of mip_3dm_device_status_basic_stateless_response and offsets of
+ * mip_3dm_device_status_diagnostic_gx4_response; MSCL differs.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -408,10 +408,10 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
 extern MIP_API const struct mip_profile mip_profile_gx5_45;
 
 /**
- * 3DM-MV5-AR: Device of generation 5, known by its name and its number.
+ * 3DM-MV5-AR: Device of generation 5, known only by its name and its number.
  *
- * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK has its name and number only.
+ * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -422,10 +422,11 @@ extern MIP_API const struct mip_profile mip_profile_mv5_ar;
  * 3DM-RQ1-45-LT: Ruggedized tactical grade inertial navigation system with GPS.
  *
  * Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
- * Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
- * The contents of the manual are known up to mip_filter_set_initial_heading. The set `system`
- * follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field
- * is known. Uncertain: The SDK writes the name with an underscore before LT and ST.
+ * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
+ * incomplete: The table of contents of the manual is known up to mip_filter_set_initial_heading.
+ * The set `system` follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
+ * none of whose fields is known. Uncertain: The SDK writes the name with an underscore before LT
+ * and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -436,10 +437,11 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
  * 3DM-RQ1-45-ST: Ruggedized tactical grade inertial navigation system with GPS.
  *
  * Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
- * Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
- * The contents of the manual are known up to mip_filter_set_initial_heading. The set `system`
- * follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field
- * is known. Uncertain: The SDK writes the name with an underscore before LT and ST.
+ * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
+ * incomplete: The table of contents of the manual is known up to mip_filter_set_initial_heading.
+ * The set `system` follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
+ * none of whose fields is known. Uncertain: The SDK writes the name with an underscore before LT
+ * and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -449,8 +451,8 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
 /**
  * 3DM-RTK: Modem for GNSS corrections.
  *
- * Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK has its name and number only.
+ * Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features

@@ -1,6 +1,6 @@
 /**
  * @file
- * What is the same in every command set: function selectors and the acknowledge field.
+ * Common to all command sets: function selectors and the acknowledge field.
  */
 #ifndef MIP_PROTOCOL_H
 #define MIP_PROTOCOL_H
@@ -19,7 +19,7 @@ extern "C" {
 enum mip_function_selector {
     /** Apply the new setting. */
     MIP_FUNCTION_SELECTOR_WRITE = 1,
-    /** Send the current setting back in a response. */
+    /** Return the current setting in a response. */
     MIP_FUNCTION_SELECTOR_READ = 2,
     /** Save the current setting to non-volatile memory. */
     MIP_FUNCTION_SELECTOR_SAVE = 3,
@@ -45,7 +45,10 @@ MIP_API const char *mip_function_selector_name(uint8_t value);
 struct mip_protocol_acknowledge {
     /** Descriptor of the command that is answered. */
     uint8_t command;
-    /** Zero acknowledges, any other value refuses. A value of enum mip_ack_code. */
+    /**
+     * 0 if the command is acknowledged, else the reason why it is refused. A value of enum
+     * mip_ack_code.
+     */
     uint8_t code;
 };
 

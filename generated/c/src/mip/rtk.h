@@ -79,10 +79,10 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
 /**
  * Get status flags: command (0x0F,0x01).
  *
- * Asks for the state of the modem and of the corrections.
+ * Gets the state of the modem and of the corrections.
  *
- * Answered by mip_rtk_get_status_flags_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Answered by mip_rtk_get_status_flags_response. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
@@ -118,7 +118,7 @@ static inline mip_error mip_rtk_get_status_flags_encode(
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * Answers mip_rtk_get_status_flags. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_get_status_flags. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -178,10 +178,10 @@ static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
 /**
  * Get IMEI: command (0x0F,0x02).
  *
- * Asks for the identity of the modem.
+ * Gets the identity of the modem.
  *
- * Answered by mip_rtk_get_imei_response. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Answered by mip_rtk_get_imei_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Imei (0x0F,0x02)
  */
@@ -215,7 +215,7 @@ static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *v
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
- * Answers mip_rtk_get_imei. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_get_imei. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Imei (0x0F,0x02)
  */
@@ -276,10 +276,10 @@ static inline mip_error mip_rtk_get_imei_response_encode_inline(
 /**
  * Get IMSI: command (0x0F,0x03).
  *
- * Asks for the identity of the subscriber.
+ * Gets the identity of the subscriber.
  *
- * Answered by mip_rtk_get_imsi_response. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Answered by mip_rtk_get_imsi_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Imsi (0x0F,0x03)
  */
@@ -313,7 +313,7 @@ static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *v
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
- * Answers mip_rtk_get_imsi. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_get_imsi. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Imsi (0x0F,0x03)
  */
@@ -374,10 +374,10 @@ static inline mip_error mip_rtk_get_imsi_response_encode_inline(
 /**
  * Get ICCID: command (0x0F,0x04).
  *
- * Asks for the number of the SIM card.
+ * Gets the number of the SIM card.
  *
- * Answered by mip_rtk_get_iccid_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Answered by mip_rtk_get_iccid_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Iccid (0x0F,0x04)
  */
@@ -411,7 +411,7 @@ static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid 
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
- * Answers mip_rtk_get_iccid. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_get_iccid. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Iccid (0x0F,0x04)
  */
@@ -472,10 +472,10 @@ static inline mip_error mip_rtk_get_iccid_response_encode_inline(
 /**
  * Get RSSI: command (0x0F,0x05).
  *
- * Asks for the strength of the cellular signal.
+ * Gets the strength of the cellular signal.
  *
- * Answered by mip_rtk_get_rssi_response. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Answered by mip_rtk_get_rssi_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
@@ -509,8 +509,8 @@ static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *v
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
- * Answers mip_rtk_get_rssi. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
- * vouches for the other values is inferred.
+ * Answers mip_rtk_get_rssi. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
+ * applies to the other values is inferred.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
@@ -581,15 +581,15 @@ static inline mip_error mip_rtk_get_rssi_response_encode_inline(
  * The device that the modem serves.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_rtk_connected_device_type_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * mip_rtk_connected_device_type_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -627,7 +627,7 @@ static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_typ
     command->device_type = (uint8_t)device_type;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
@@ -659,7 +659,7 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
 /**
  * Connected device type response: response (0x0F,0x86).
  *
- * Answers mip_rtk_connected_device_type. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_connected_device_type. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -719,10 +719,10 @@ static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
 /**
  * Get activation code: command (0x0F,0x07).
  *
- * Asks for the activation code.
+ * Gets the activation code.
  *
- * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -756,8 +756,8 @@ static inline mip_error mip_rtk_get_activation_code_encode(
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -818,10 +818,10 @@ static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
- * Asks for the firmware version of the cellular modem.
+ * Gets the firmware version of the cellular modem.
  *
- * Answered by mip_rtk_get_modem_firmware_version_response. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * Answered by mip_rtk_get_modem_firmware_version_response. Not listed in any device profile. Known
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
  */
@@ -855,7 +855,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_encode(
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
- * Answers mip_rtk_get_modem_firmware_version. Known from the MicroStrain MIP SDK only.
+ * Answers mip_rtk_get_modem_firmware_version. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
  */
@@ -916,10 +916,10 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inlin
 /**
  * Service status: command (0x0F,0x0A).
  *
- * Asks a correction server about the connection, and so keeps it open.
+ * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by mip_rtk_service_status_response. The device sends it, and the host answers. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Answered by mip_rtk_service_status_response. Sent by the device; the host answers. Not listed in
+ * any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The modem sends it as a host would, and the server answers as a device would.
  *
@@ -987,8 +987,8 @@ static inline mip_error mip_rtk_service_status_encode_inline(
  *
  * What the server knows of the connection.
  *
- * Answers mip_rtk_service_status. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
- * the counters count.
+ * Answers mip_rtk_service_status. Known only from the MicroStrain MIP SDK. Uncertain: What the
+ * counters count.
  *
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
@@ -1062,10 +1062,10 @@ static inline mip_error mip_rtk_service_status_response_encode_inline(
  *
  * Erases a storage medium down to its raw state.
  *
- * For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
- * All that is stored is lost. The command is for production.
+ * All stored data is lost. The command is for production.
  *
  * Accepted in calibration mode only.
  *
@@ -1136,7 +1136,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
  *
  * Colours and pattern of the LED.
  *
- * For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Accepted in calibration mode and production test mode only.
  *
@@ -1223,9 +1223,9 @@ static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
  *
  * Clears the flash memory of the modem.
  *
- * For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * It wears the flash memory out; use it rarely.
+ * It wears out the flash memory; use it rarely.
  *
  * Accepted in calibration mode only.
  *

@@ -20,8 +20,8 @@ extern "C" {
 extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get status flags. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get status flags. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_status_flags(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -41,8 +41,8 @@ static inline struct mip_result mip_call_rtk_get_status_flags(
 extern MIP_API const struct mip_command mip_rtk_get_imei_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMEI. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMEI. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
                                               struct mip_request *request,
@@ -64,8 +64,8 @@ static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
 extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMSI. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMSI. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
                                               struct mip_request *request,
@@ -87,8 +87,8 @@ static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
 extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get ICCID. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get ICCID. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
                                                struct mip_request *request,
@@ -110,8 +110,8 @@ mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_respo
 extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get RSSI. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get RSSI. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
                                               struct mip_request *request,
@@ -134,7 +134,7 @@ extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Connected device
- * type. The response goes to `response`, which may be NULL, if the command asks for it.
+ * type. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_connected_device_type(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -152,9 +152,7 @@ static inline struct mip_result mip_call_rtk_connected_device_type_write(
                            mip_rtk_connected_device_type_write(&command, device_type), NULL, NULL);
 }
 
-/**
- * Connected device type: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Connected device type: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_connected_device_type_read(
     struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
     struct mip_rtk_connected_device_type command;
@@ -189,7 +187,7 @@ mip_call_rtk_connected_device_type_default(struct mip_device *device) {
 }
 
 /**
- * Connected device type: calls the command with these values, optional parameters too. See
+ * Connected device type: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_rtk_connected_device_type_with(
@@ -204,7 +202,7 @@ extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get activation code.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_activation_code(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -225,7 +223,7 @@ extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Get modem firmware
- * version. The response goes to `response`, which may be NULL, if the command asks for it.
+ * version. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_modem_firmware_version(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -245,8 +243,8 @@ static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
 extern MIP_API const struct mip_command mip_rtk_service_status_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Service status. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Service status. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_service_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -257,7 +255,7 @@ static inline mip_error mip_send_rtk_service_status(
 }
 
 /**
- * Service status: calls the command with these values, optional parameters too. See
+ * Service status: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_rtk_service_status_with(
@@ -289,7 +287,8 @@ static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *de
 }
 
 /**
- * Erase storage: calls the command with these values, optional parameters too. See mip_device_call.
+ * Erase storage: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_rtk_erase_storage_with(
     struct mip_device *device, const struct mip_rtk_erase_storage *command) {
@@ -323,7 +322,8 @@ static inline struct mip_result mip_call_rtk_led_control(struct mip_device *devi
 }
 
 /**
- * LED control: calls the command with these values, optional parameters too. See mip_device_call.
+ * LED control: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_rtk_led_control_with(
     struct mip_device *device, const struct mip_rtk_led_control *command) {

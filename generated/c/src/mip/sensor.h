@@ -4,7 +4,7 @@
  * Sensor data (0x80). Inertial, magnetic and pressure measurements, and the attitude of the
  * complementary filter.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_SENSOR_H
 #define MIP_SENSOR_H
@@ -54,7 +54,7 @@ typedef uint16_t mip_sensor_odometer_flags;
  *
  * Raw acceleration in counts of the sensor, temperature compensated.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Accel (0x80,0x01)
  */
@@ -120,7 +120,7 @@ static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sens
  *
  * Raw angular rate in counts of the sensor, temperature compensated.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Gyro (0x80,0x02)
  */
@@ -186,7 +186,7 @@ static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_senso
  *
  * Raw magnetic field in counts of the sensor, temperature compensated.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Mag (0x80,0x03)
  */
@@ -590,7 +590,7 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
 /**
  * Complementary filter orientation matrix: data (0x80,0x09).
  *
- * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
+ * Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -662,7 +662,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
- * Attitude by the complementary filter as a quaternion, relative to the NED frame.
+ * Attitude from the complementary filter as a quaternion, relative to the NED frame.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -735,11 +735,11 @@ static inline mip_error mip_sensor_comp_quaternion_encode_inline(
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
- * Change of the attitude by the complementary filter as a matrix.
+ * Change of the attitude from the complementary filter as a matrix.
  *
- * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
- * the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The SDK gives
- * the name only.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the change and the
+ * frames. The SDK gives the name only.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
  */
@@ -805,7 +805,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
- * Attitude by the complementary filter as Euler angles, relative to the NED frame.
+ * Attitude from the complementary filter as Euler angles, relative to the NED frame.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -880,15 +880,14 @@ static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
  *
  * Raw readings of four temperature sensors.
  *
- * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`. No
- * device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Also called
+ * `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
  */
 struct mip_sensor_orientation_raw_temperature {
-    /**
-     * Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
-     */
+    /** Temperatures in counts. Unit: 1. Uncertain: The scale, and which sensor is which. */
     uint16_t raw_temperature[4];
 };
 
@@ -949,8 +948,8 @@ static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
  *
  * Free-running counter of the device.
  *
- * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
  */
@@ -1010,10 +1009,10 @@ static inline mip_error mip_sensor_internal_timestamp_encode_inline(
 /**
  * PPS timestamp: data (0x80,0x0F).
  *
- * Time that is counted with the pulse per second.
+ * Time counted by the pulse per second.
  *
- * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
- * the MicroStrain MIP SDK only. Uncertain: The epoch.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
  *
  * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
  */
@@ -1222,7 +1221,7 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
- * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
+ * Without a PPS the time runs on the internal clock and jumps when the PPS returns.
  *
  * The fraction of the time of week is the time since the last pulse.
  *
@@ -1382,7 +1381,7 @@ static inline mip_error mip_sensor_temperature_statistics_encode_inline(
  *
  * Raw ambient pressure in counts of the sensor, temperature compensated.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Raw Pressure (0x80,0x16)
  */
@@ -1567,7 +1566,7 @@ static inline mip_error mip_sensor_overrange_status_encode_inline(
 /**
  * Odometer data: data (0x80,0x40).
  *
- * Speed by the wheel encoder.
+ * Speed measured by the wheel encoder.
  *
  * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
  *

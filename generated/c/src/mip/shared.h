@@ -1,8 +1,8 @@
 /**
  * @file
  *
- * Shared data (0xFF). Fields that every data set can hold. No packet has this set: they come in
- * packets of the other data sets.
+ * Shared data (0xFF). Fields that every data set can contain. No packet has this descriptor set:
+ * the fields are sent in packets of the other data sets.
  */
 #ifndef MIP_SHARED_H
 #define MIP_SHARED_H
@@ -44,7 +44,7 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * Put it first in the format of event messages, to tell their packets from scheduled ones.
+ * Put it first in the format of event messages, to distinguish their packets from scheduled ones.
  *
  * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
  */
@@ -106,9 +106,9 @@ static inline mip_error mip_shared_event_source_encode_inline(
  *
  * Base periods since power-up.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has the
- * counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would
- * take longer or shorter.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: According
+ * to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
+ * other rates it would take longer or shorter.
  *
  * One tick is one period of the base rate.
  *
@@ -172,8 +172,8 @@ static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_t
  *
  * Base periods since this field was last sent.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each set
- * and each event instance counts for itself, as with mip_shared_delta_time.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
+ * each set and each event instance counts separately, as with mip_shared_delta_time.
  *
  * One tick is one period of the base rate.
  *
@@ -244,7 +244,7 @@ static inline mip_error mip_shared_delta_ticks_encode_inline(
  * It becomes valid after the PPS is locked and mip_base_gps_time_update has set the time of week
  * and the week number.
  *
- * With an internal GNSS receiver as PPS source, the device sets the time by itself in most cases.
+ * With an internal GNSS receiver as PPS source, the device usually sets the time itself.
  *
  * With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the
  * leap seconds, which are 18 s since 2017. mip_base_gps_time_update sets GPS time.

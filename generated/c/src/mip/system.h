@@ -1,9 +1,9 @@
 /**
  * @file
  *
- * System (0x7F). Advanced commands of devices that are built from several intelligent parts.
+ * System (0x7F). Advanced commands of devices that consist of several intelligent parts.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -59,13 +59,13 @@ typedef uint32_t mip_system_comm_protocols;
 #define MIP_SYSTEM_COMM_PROTOCOLS_RTCM UINT32_C(0x00000200)
 /** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
-/** Which part of the device the host talks to, and in which protocol. */
+/** Which part of the device the host communicates with, and by which protocol. */
 enum mip_system_protocol_mode {
     /** The device itself, MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
-    /** The inertial sensor inside, MIP. */
+    /** The internal inertial sensor, MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT = 2,
-    /** The GNSS receiver inside, NMEA and UBX; only on models that have one. */
+    /** The internal GNSS receiver, NMEA and UBX; only on models that have one. */
     MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
 };
 
@@ -75,7 +75,7 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
 /**
  * Interface control: command (0x7F,0x02).
  *
- * Protocols that a port takes in and gives out.
+ * Protocols that a port receives and sends.
  *
  * No device is certain to support it. Functions: write, read, save, load and default. Answered by
  * mip_system_interface_control_response.
@@ -87,8 +87,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * The device refuses protocols that it or the port does not have, and more parsers than it has;
  * then nothing is changed.
  *
- * Answers in an incoming protocol leave by the same port, even if the protocol is not an outgoing
- * one.
+ * Answers to an incoming protocol are sent on the same port, even if the protocol is not an
+ * outgoing one.
  *
  * How many parsers and streams there are depends on the device.
  *
@@ -97,20 +97,20 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  */
 struct mip_system_interface_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read take
+     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read accept
      * `all`.
      */
     uint8_t port;
-    /** Protocols that it takes in. Required for write. */
+    /** Protocols that it receives. Required for write. */
     mip_system_comm_protocols protocols_incoming;
-    /** Protocols that it gives out. Required for write. */
+    /** Protocols that it sends. Required for write. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
@@ -146,7 +146,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->protocols_outgoing = protocols_outgoing;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -189,13 +189,13 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
  */
 struct mip_system_interface_control_response {
     /**
-     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read take
+     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read accept
      * `all`.
      */
     uint8_t port;
-    /** Protocols that it takes in. */
+    /** Protocols that it receives. */
     mip_system_comm_protocols protocols_incoming;
-    /** Protocols that it gives out. */
+    /** Protocols that it sends. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
@@ -254,7 +254,7 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
 /**
  * Communication mode: command (0x7F,0x10).
  *
- * Switches the port between the device and one of the sensors inside it.
+ * Switches the port between the device and one of its internal sensors.
  *
  * For advanced use. Functions: write, read, save, load and default. Answered by
  * mip_system_comm_mode_response. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
@@ -267,8 +267,8 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
  */
 struct mip_system_comm_mode {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -310,7 +310,7 @@ static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));

@@ -20,8 +20,8 @@ extern "C" {
 extern MIP_API const struct mip_command mip_system_interface_control_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Interface control.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Interface control. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_system_interface_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -42,7 +42,7 @@ static inline struct mip_result mip_call_system_interface_control_write(
         NULL, NULL);
 }
 
-/** Interface control: read. Send the current setting back in a response. See mip_device_call. */
+/** Interface control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_system_interface_control_read(
     struct mip_device *device, enum mip_system_comm_interface port,
     struct mip_system_interface_control_response *response) {
@@ -79,7 +79,7 @@ static inline struct mip_result mip_call_system_interface_control_default(
 }
 
 /**
- * Interface control: calls the command with these values, optional parameters too. See
+ * Interface control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_system_interface_control_with(
@@ -94,7 +94,7 @@ extern MIP_API const struct mip_command mip_system_comm_mode_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Communication mode.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
                                                   struct mip_request *request,
@@ -114,7 +114,7 @@ mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_proto
                            mip_system_comm_mode_write(&command, mode), NULL, NULL);
 }
 
-/** Communication mode: read. Send the current setting back in a response. See mip_device_call. */
+/** Communication mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_read(
     struct mip_device *device, struct mip_system_comm_mode_response *response) {
     struct mip_system_comm_mode command;
@@ -147,7 +147,7 @@ static inline struct mip_result mip_call_system_comm_mode_default(struct mip_dev
 }
 
 /**
- * Communication mode: calls the command with these values, optional parameters too. See
+ * Communication mode: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_system_comm_mode_with(

@@ -183,8 +183,8 @@ static inline mip_error mip_system_data_time_sync_status_encode_inline(
  *
  * The pins are sampled within one base period of this set.
  *
- * Only pins that are configured to the GPIO feature by mip_3dm_gpio_config are sure to give valid
- * levels.
+ * Levels are guaranteed to be valid only for pins that mip_3dm_gpio_config configures for the GPIO
+ * feature.
  *
  * For fast signals and exact times use the timestamp feature and the event system.
  *
@@ -248,7 +248,7 @@ static inline mip_error mip_system_data_gpio_state_encode_inline(
  *
  * Voltage at one GPIO pin.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Only for pins that are configured as analog inputs.
  *

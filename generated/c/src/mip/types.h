@@ -38,13 +38,13 @@ typedef uint32_t mip_gx5_built_in_test;
  * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 typedef uint32_t mip_cv7_built_in_test;
-/** Bit 0. A vital part, such as the oscillator, has failed. */
+/** Bit 0. A critical part, such as the oscillator, has failed. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_HARDWARE_FAULT UINT32_C(0x00000001)
-/** Bit 1. The firmware met a serious or unexpected condition. */
+/** Bit 1. The firmware encountered a serious or unexpected condition. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FIRMWARE_FAULT UINT32_C(0x00000002)
 /** Bit 2. The processor cannot keep up; cleared by reading the result. */
 #define MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD UINT32_C(0x00000004)
-/** Bit 3. A data buffer was full, mostly because too much is streamed. */
+/** Bit 3. A data buffer was full, usually because too much data is streamed. */
 #define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
 /** Bit 12. The accelerometer is damaged or does not work. */
 #define MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT UINT32_C(0x00001000)
@@ -56,16 +56,16 @@ typedef uint32_t mip_cv7_built_in_test;
 #define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
 /** Bit 18. At least one calibration table of the sensors is invalid. */
 #define MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR UINT32_C(0x00040000)
-/** Bit 19. A fault of the inertial sensor subsystem that no other bit names. */
+/** Bit 19. A fault of the inertial sensor subsystem that no other bit covers. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT UINT32_C(0x00080000)
 /** Bit 22. The filter output is invalid (not a number); reset the filter. */
 #define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
-/** Bit 23. A fault of the filter subsystem that no other bit names. */
+/** Bit 23. A fault of the filter subsystem that no other bit covers. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT UINT32_C(0x00800000)
 
 /**
  * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
- * sensors, 64-95 navigation, 96-127 GNSS. In full: cv7_continuous_built_in_test.
+ * sensors, 64-95 navigation, 96-127 GNSS. Full name: cv7_continuous_built_in_test.
  *
  * - 3dm-cv7-gnss-ins: Continuous Built-in Test
  */
@@ -96,7 +96,7 @@ static inline void mip_cv7_continuous_bit_set_power_fault(struct mip_cv7_continu
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4. The firmware met an unexpected condition. */
+/** Bit 4. The firmware encountered an unexpected condition. */
 static inline bool
 mip_cv7_continuous_bit_get_firmware_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
@@ -129,7 +129,7 @@ static inline void mip_cv7_continuous_bit_set_buffer_overrun(struct mip_cv7_cont
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
-/** Bit 16. The inertial sensor subsystem does not run or did not start. */
+/** Bit 16. The inertial sensor subsystem is not running or did not start. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
@@ -151,7 +151,7 @@ static inline void mip_cv7_continuous_bit_set_imu_data_process_time_exceeded(
     mip_set_bits(flags->bytes, 17, 1, value);
 }
 
-/** Bit 18. Sensor data does not come at its base rate. */
+/** Bit 18. Sensor data is not produced at its base rate. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 18, 1);
@@ -173,7 +173,7 @@ static inline void mip_cv7_continuous_bit_set_imu_stall(struct mip_cv7_continuou
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
-/** Bits 20 to 23. Any of these: the filter does not work normally. Overlaps other bits. */
+/** Bits 20 to 23. Any of these faults: the filter does not work normally. Overlaps other bits. */
 static inline uint8_t
 mip_cv7_continuous_bit_get_filter_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
@@ -184,7 +184,7 @@ static inline void mip_cv7_continuous_bit_set_filter_process_fault(
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
-/** Bit 20. Major cycle of the filter; bits 22 and 23 say what. */
+/** Bit 20. Fault of the major cycle of the filter; bits 22 and 23 say which fault. */
 static inline bool
 mip_cv7_continuous_bit_get_filter_major_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
@@ -195,7 +195,7 @@ static inline void mip_cv7_continuous_bit_set_filter_major_cycle_fault(
     mip_set_bits(flags->bytes, 20, 1, value);
 }
 
-/** Bit 21. Minor cycle of the filter; bits 22 and 23 say what. */
+/** Bit 21. Fault of the minor cycle of the filter; bits 22 and 23 say which fault. */
 static inline bool
 mip_cv7_continuous_bit_get_filter_minor_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
@@ -228,7 +228,7 @@ mip_cv7_continuous_bit_set_filter_process_stall(struct mip_cv7_continuous_bit *f
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
-/** Bits 24 to 27. Any of these: GNSS does not work normally. Overlaps other bits. */
+/** Bits 24 to 27. Any of these faults: GNSS does not work normally. Overlaps other bits. */
 static inline uint8_t
 mip_cv7_continuous_bit_get_gnss_subsystem_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
@@ -283,7 +283,7 @@ static inline void mip_cv7_continuous_bit_set_imu_comm_fault(struct mip_cv7_cont
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34. Inertial sensor processes take longer than their time. */
+/** Bit 34. Inertial sensor processes take longer than their time slot. */
 static inline bool
 mip_cv7_continuous_bit_get_imu_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
@@ -327,7 +327,7 @@ static inline void mip_cv7_continuous_bit_set_imu_calibration_error_mag(
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40. The accelerometer does not initialize. */
+/** Bit 40. The accelerometer failed to initialize. */
 static inline bool
 mip_cv7_continuous_bit_get_accel_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
@@ -360,7 +360,7 @@ mip_cv7_continuous_bit_set_accel_self_test_fail(struct mip_cv7_continuous_bit *f
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44. The gyroscope does not initialize. */
+/** Bit 44. The gyroscope failed to initialize. */
 static inline bool
 mip_cv7_continuous_bit_get_gyro_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
@@ -393,7 +393,7 @@ mip_cv7_continuous_bit_set_gyro_self_test_fail(struct mip_cv7_continuous_bit *fl
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48. The magnetometer does not initialize. */
+/** Bit 48. The magnetometer failed to initialize. */
 static inline bool
 mip_cv7_continuous_bit_get_mag_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
@@ -426,7 +426,7 @@ mip_cv7_continuous_bit_set_mag_self_test_fail(struct mip_cv7_continuous_bit *fla
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52. The pressure sensor does not initialize. */
+/** Bit 52. The pressure sensor failed to initialize. */
 static inline bool mip_cv7_continuous_bit_get_pressure_sensor_general_fault(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -470,7 +470,7 @@ mip_cv7_continuous_bit_set_factory_bits_invalid(struct mip_cv7_continuous_bit *f
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
-/** Bit 66. Filter processes take longer than their time. */
+/** Bit 66. Filter processes take longer than their time slot. */
 static inline bool
 mip_cv7_continuous_bit_get_filter_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
@@ -503,7 +503,7 @@ static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 108. Internal receiver 1 has no valid solution; mostly no sky view. */
+/** Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
@@ -525,7 +525,7 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_co
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 113. Internal receiver 2 has no valid solution; mostly no sky view. */
+/** Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. */
 static inline bool
 mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
@@ -575,19 +575,19 @@ enum mip_event_action_type {
 MIP_API const char *mip_event_action_type_name(uint8_t value);
 
 /**
- * Whether an event trigger works.
+ * Operating mode of an event trigger.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
  */
 enum mip_event_trigger_mode {
-    /** The trigger is never active; so it is after configuration. */
+    /** The trigger is never active. This is its mode after configuration. */
     MIP_EVENT_TRIGGER_MODE_DISABLED = 0,
-    /** The trigger does what it is configured for. */
+    /** The trigger works as configured. */
     MIP_EVENT_TRIGGER_MODE_ENABLED = 1,
     /** The trigger is active all the time. */
     MIP_EVENT_TRIGGER_MODE_TEST = 2,
-    /** The trigger is active for one event cycle and then goes back to its earlier mode. */
+    /** The trigger is active for one event cycle and then returns to its previous mode. */
     MIP_EVENT_TRIGGER_MODE_TEST_PULSE = 3
 };
 
@@ -638,7 +638,7 @@ MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
 enum mip_event_threshold_type {
     /** The value lies between two thresholds. */
     MIP_EVENT_THRESHOLD_TYPE_WINDOW = 1,
-    /** The remainder of the value by an interval is at most a threshold. */
+    /** The remainder of the value divided by an interval is at most a threshold. */
     MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
 };
 
@@ -652,7 +652,7 @@ MIP_API const char *mip_event_threshold_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Action: GPIO
  */
 enum mip_event_action_gpio_mode {
-    /** The pin is left alone. */
+    /** The pin is not changed. */
     MIP_EVENT_ACTION_GPIO_MODE_DISABLED = 0,
     /** High while the trigger is active and low otherwise. */
     MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_HIGH = 1,
@@ -687,7 +687,7 @@ struct mip_event_threshold_window {
     double low_threshold;
     /**
      * Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
-     * is active outside of the window.
+     * is active outside the window.
      */
     double high_threshold;
 };
@@ -711,8 +711,8 @@ union mip_event_trigger_threshold_thresholds {
     /** If type is MIP_EVENT_THRESHOLD_TYPE_WINDOW. The value lies between two thresholds. */
     struct mip_event_threshold_window window;
     /**
-     * If type is MIP_EVENT_THRESHOLD_TYPE_INTERVAL. The remainder of the value by an interval is at
-     * most a threshold.
+     * If type is MIP_EVENT_THRESHOLD_TYPE_INTERVAL. The remainder of the value divided by an
+     * interval is at most a threshold.
      */
     struct mip_event_threshold_interval interval;
 };
@@ -746,14 +746,14 @@ struct mip_event_trigger_threshold {
  */
 struct mip_event_trigger_combination {
     /**
-     * Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
-     * inputs.
+     * Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the
+     * four inputs.
      */
     uint16_t logic_table;
     /**
      * Trigger instances for the inputs a to d; 0 is always inactive.
      *
-     * An input may name the trigger itself; it is then the output of the event cycle before.
+     * An input may be the trigger itself; its value is then the output of the previous event cycle.
      */
     uint8_t input_triggers[4];
 };
@@ -766,7 +766,7 @@ struct mip_event_trigger_combination {
 struct mip_event_action_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** What happens to the pin. A value of enum mip_event_action_gpio_mode. */
+    /** How the action controls the pin. A value of enum mip_event_action_gpio_mode. */
     uint8_t mode;
 };
 
@@ -780,8 +780,8 @@ struct mip_event_action_message {
     uint8_t descriptor_set;
     /**
      * 0 sends one packet per activation. Any other value streams while the trigger is active, at
-     * the base rate of the descriptor set divided by it; a packet is sent at once, and the count
-     * begins anew at each activation.
+     * the base rate of the descriptor set divided by this value. At each activation, a packet is
+     * sent immediately and the count restarts.
      */
     uint16_t decimation;
     /** Number of fields in the packet. The number of elements of descriptors. Range: 0 to 12. */
@@ -999,7 +999,7 @@ enum mip_gpio_feature {
     MIP_GPIO_FEATURE_PPS = 2,
     /** Input of a motor encoder or odometer. */
     MIP_GPIO_FEATURE_ENCODER = 3,
-    /** Input whose edges get exact timestamps for event triggers. */
+    /** Input whose edges get precise timestamps for event triggers. */
     MIP_GPIO_FEATURE_TIMESTAMP = 4,
     /** Data or control line of a UART. */
     MIP_GPIO_FEATURE_UART = 5
@@ -1032,7 +1032,7 @@ MIP_API const char *mip_gpio_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is pps. */
 enum mip_gpio_pps_behavior {
-    /** The pin receives the pulse; the PPS source must be gpio. One pin at most. */
+    /** The pin receives the pulse; the PPS source must be gpio. At most one pin. */
     MIP_GPIO_PPS_BEHAVIOR_INPUT = 1,
     /** The pin sends the pulse of the device. */
     MIP_GPIO_PPS_BEHAVIOR_OUTPUT = 2
@@ -1043,9 +1043,9 @@ MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is encoder. */
 enum mip_gpio_encoder_behavior {
-    /** Quadrature input A. One pin at most; the latest one configured has it. */
+    /** Quadrature input A. At most one pin; the last one configured takes precedence. */
     MIP_GPIO_ENCODER_BEHAVIOR_A = 1,
-    /** Quadrature input B. One pin at most; the latest one configured has it. */
+    /** Quadrature input B. At most one pin; the last one configured takes precedence. */
     MIP_GPIO_ENCODER_BEHAVIOR_B = 2
 };
 
@@ -1067,11 +1067,11 @@ MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
 enum mip_gpio_uart_behavior {
-    /** UART 2 sends. */
+    /** UART 2 transmits. */
     MIP_GPIO_UART_BEHAVIOR_PORT_2_TX = 33,
     /** UART 2 receives. */
     MIP_GPIO_UART_BEHAVIOR_PORT_2_RX = 34,
-    /** UART 3 sends. */
+    /** UART 3 transmits. */
     MIP_GPIO_UART_BEHAVIOR_PORT_3_TX = 49,
     /** UART 3 receives. */
     MIP_GPIO_UART_BEHAVIOR_PORT_3_RX = 50
@@ -1129,12 +1129,12 @@ enum mip_nmea_message_id {
 MIP_API const char *mip_nmea_message_id_name(uint8_t value);
 
 /**
- * The first letters of an NMEA-0183 sentence, which name its talker.
+ * The first letters of an NMEA-0183 sentence, which identify its talker.
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
  */
 enum mip_nmea_talker_id {
-    /** For sentences whose talker is not free (GSV and the proprietary ones). */
+    /** For sentences whose talker cannot be chosen (GSV and the proprietary ones). */
     MIP_NMEA_TALKER_ID_IGNORED = 0,
     /** GN. */
     MIP_NMEA_TALKER_ID_GNSS = 1,
@@ -1157,7 +1157,7 @@ MIP_API const char *mip_nmea_talker_id_name(uint8_t value);
 struct mip_nmea_message {
     /** The sentence. A value of enum mip_nmea_message_id. */
     uint8_t message_id;
-    /** The talker that the sentence names. A value of enum mip_nmea_talker_id. */
+    /** The talker in the sentence. A value of enum mip_nmea_talker_id. */
     uint8_t talker_id;
     /** Data descriptor set that the contents are taken from. */
     uint8_t source_descriptor_set;
@@ -1168,10 +1168,10 @@ struct mip_nmea_message {
 /**
  * State of the modem and of the corrections. Models of another kind send
  * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says
- * only that the model number decides it. Uncertain: Other software of the vendor looks at
+ * only that the model number decides it. Uncertain: Other software of the vendor evaluates
  * `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
- * are `sinr`. Uncertain: The SDK gives the names only; the descriptions follow from them. What the
- * values mean is open.
+ * are `sinr`. Uncertain: The SDK gives the names only; the descriptions follow from them. The
+ * meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1182,20 +1182,20 @@ typedef uint32_t mip_rtk_status_flags;
 #define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
 /**
  * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
- * vendor takes it as negative.
+ * vendor treats it as negative.
  */
 #define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
 /** Bits 16 to 19. Signal quality. */
 #define MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY UINT32_C(0x000F0000)
 /** Bits 20 to 23. Changes of the cell tower. */
 #define MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR UINT32_C(0x00F00000)
-/** Bit 24. No NMEA came from the device in time. */
+/** Bit 24. No NMEA was received from the device in time. */
 #define MIP_RTK_STATUS_FLAGS_NMEA_TIMEOUT UINT32_C(0x01000000)
 /** Bit 25. The server did not answer in time. */
 #define MIP_RTK_STATUS_FLAGS_SERVER_TIMEOUT UINT32_C(0x02000000)
-/** Bit 26. No corrections came in time. */
+/** Bit 26. No corrections were received in time. */
 #define MIP_RTK_STATUS_FLAGS_CORRECTIONS_TIMEOUT UINT32_C(0x04000000)
-/** Bit 27. The device is outside of the area of the service. */
+/** Bit 27. The device is outside the service area. */
 #define MIP_RTK_STATUS_FLAGS_DEVICE_OUT_OF_RANGE UINT32_C(0x08000000)
 /** Bit 28. There are no corrections. */
 #define MIP_RTK_STATUS_FLAGS_CORRECTIONS_UNAVAILABLE UINT32_C(0x10000000)
@@ -1230,7 +1230,7 @@ static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags
 
 /**
  * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
- * vendor takes it as negative.
+ * vendor treats it as negative.
  */
 static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
@@ -1283,9 +1283,9 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 
 /**
  * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
- * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and
- * puts the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions
- * follow from them. What the values mean is open.
+ * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but
+ * also puts the last four numbers there. Uncertain: The SDK gives the names only; the descriptions
+ * follow from them. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1462,7 +1462,7 @@ enum mip_ack_code {
     MIP_ACK_CODE_BAD_CHECKSUM = 2,
     /** A parameter is out of range, or of the wrong size or type. */
     MIP_ACK_CODE_INVALID_PARAMETER = 3,
-    /** The device could not carry the command out. */
+    /** The device could not carry out the command. */
     MIP_ACK_CODE_COMMAND_FAILED = 4,
     /** The command did not finish in time. */
     MIP_ACK_CODE_COMMAND_TIMEOUT = 5,
@@ -1489,7 +1489,7 @@ struct mip_descriptor_rate {
 typedef uint16_t mip_sensor_gps_timestamp_flags;
 /** Bit 0. The PPS signal is present. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
-/** Bit 1. Toggles each time that the time is updated. */
+/** Bit 1. Toggles each time the time is updated. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
 /** Bit 2. The time has been set at least once. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
@@ -1499,7 +1499,7 @@ typedef uint16_t mip_sensor_gps_timestamp_flags;
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID 0x0010U
 
 /**
- * State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
+ * State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity of the
  * values.
  *
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
@@ -1507,7 +1507,7 @@ typedef uint16_t mip_sensor_gps_timestamp_flags;
 typedef uint16_t mip_gx5_sensor_gps_timestamp_flags;
 /** Bit 0. The PPS signal is present; without it, the internal clock drives the time. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
-/** Bit 1. Toggles each time that the time is updated. */
+/** Bit 1. Toggles each time the time is updated. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
 /** Bit 2. The time has been set at least once. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U

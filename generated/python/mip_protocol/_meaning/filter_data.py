@@ -93,20 +93,20 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "DualAntennaStatusFlags": BitsInfo(
-        "filter_data.dual_antenna_status_flags", type=filter_data.DualAntennaStatusFlags, description="What the heading solution of two antennas has to work with.",
+        "filter_data.dual_antenna_status_flags", type=filter_data.DualAntennaStatusFlags, description="Inputs available to the heading solution of two antennas.",
         bits=(
-            BitInfo("receiver_1_data_valid", first=0, last=0, description="Data of receiver 1 are valid."),
-            BitInfo("receiver_2_data_valid", first=1, last=1, description="Data of receiver 2 are valid."),
+            BitInfo("receiver_1_data_valid", first=0, last=0, description="Data of receiver 1 is valid."),
+            BitInfo("receiver_2_data_valid", first=1, last=1, description="Data of receiver 2 is valid."),
             BitInfo("antenna_offsets_valid", first=2, last=2, description="The antenna offsets are valid."),
         ),
     ),
     "Gx5FilterState": EnumInfo(
         "filter_data.gx5_filter_state", type=filter_data.Gx5FilterState, description="State of the filter of a 5-series device.", sources=("3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)", "3dm-cv7-gnss-ins: Status (0x82,0x10)"),
         values=(
-            ValueInfo("startup", value=0, description="The device starts."),
-            ValueInfo("init", value=1, description="Initialization; the status flags tell what is missing."),
+            ValueInfo("startup", value=0, description="The device is starting."),
+            ValueInfo("init", value=1, description="Initialization; the status flags show what is missing."),
             ValueInfo("run_solution_valid", value=2, description="Running with a valid solution."),
-            ValueInfo("run_solution_error", value=3, description="Running with an error; the status flags tell which."),
+            ValueInfo("run_solution_error", value=3, description="Running with an error; the status flags show which."),
         ),
     ),
     "Cv7FilterState": EnumInfo(
@@ -119,7 +119,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Gx5DynamicsMode": EnumInfo(
-        "filter_data.gx5_dynamics_mode", type=filter_data.Gx5DynamicsMode, description="Motion for which the filter of a 5-series device is set up.",
+        "filter_data.gx5_dynamics_mode", type=filter_data.Gx5DynamicsMode, description="Motion for which the filter of a 5-series device is configured.",
         values=(
             ValueInfo("portable", value=1, description="Carried by hand."),
             ValueInfo("automotive", value=2, description="Ground vehicle."),
@@ -133,7 +133,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Gx5StatusFlags": BitsInfo(
-        "filter_data.gx5_status_flags", type=filter_data.Gx5StatusFlags, description="Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the others while the filter runs.", sources=("3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)", "3dm-cv7-gnss-ins: Status (0x82,0x10)"),
+        "filter_data.gx5_status_flags", type=filter_data.Gx5StatusFlags, description="Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the others while the filter runs.", sources=("3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)", "3dm-cv7-gnss-ins: Status (0x82,0x10)"),
         bits=(
             BitInfo("run_imu_unavailable", first=0, last=0, description="No inertial data."),
             BitInfo("run_gps_unavailable", first=1, last=1, description="No GNSS data, on models with GNSS."),
@@ -141,7 +141,7 @@ TYPES: dict[str, Info] = {
             BitInfo("run_position_covariance_warning", first=4, last=4, description="A position covariance is above its normal limit."),
             BitInfo("run_velocity_covariance_warning", first=5, last=5, description="A velocity covariance is above its normal limit."),
             BitInfo("run_attitude_covariance_warning", first=6, last=6, description="An attitude covariance is above its normal limit."),
-            BitInfo("run_nan_in_solution_warning", first=7, last=7, description="The solution holds values that are not numbers."),
+            BitInfo("run_nan_in_solution_warning", first=7, last=7, description="The solution contains values that are not numbers."),
             BitInfo("run_gyro_bias_est_high_warning", first=8, last=8, description="The estimated gyroscope bias is high."),
             BitInfo("run_accel_bias_est_high_warning", first=9, last=9, description="The estimated accelerometer bias is high."),
             BitInfo("run_gyro_scale_factor_est_high_warning", first=10, last=10, description="The estimated gyroscope scale factor is high."),
@@ -171,11 +171,11 @@ TYPES: dict[str, Info] = {
             BitInfo("position_warning", first=4, last=4, description="The position is doubtful; check the GNSS reception and antennas."),
             BitInfo("velocity_warning", first=5, last=5, description="The velocity is doubtful; check the GNSS reception and antennas."),
             BitInfo("imu_bias_warning", first=6, last=6, description="The sensor biases are doubtful; capture the gyroscope bias."),
-            BitInfo("gnss_clock_warning", first=7, last=7, description="The GNSS clock is doubtful; navigation goes on."),
+            BitInfo("gnss_clock_warning", first=7, last=7, description="The GNSS clock is doubtful; navigation continues."),
             BitInfo("antenna_lever_arm_warning", first=8, last=8, description="The antenna offsets are probably wrong."),
             BitInfo("mounting_transform_warning", first=9, last=9, description="The mounting transformation is probably wrong."),
-            BitInfo("time_sync_warning", first=10, last=10, description="No pulse per second is found, or the time of an external heading is too old."),
-            BitInfo("solution_error", first=12, last=15, description="Not 0 if the solution holds values that are not numbers; reset the filter."),
+            BitInfo("time_sync_warning", first=10, last=10, description="No pulse per second is detected, or the time of an external heading is too old."),
+            BitInfo("solution_error", first=12, last=15, description="Not 0 if the solution contains values that are not numbers; reset the filter."),
         ),
     ),
     "LlhPosition": FieldInfo(
@@ -212,7 +212,7 @@ TYPES: dict[str, Info] = {
         "filter_data.attitude_quaternion", type=filter_data.AttitudeQuaternion,
         title="Attitude quaternion",
         description="Estimated orientation of the vehicle frame in the NED frame as a quaternion.",
-        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "`v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation."),
+        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "`v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation."),
         sources=("3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)", "3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         parameters=(
@@ -224,7 +224,7 @@ TYPES: dict[str, Info] = {
         "filter_data.attitude_dcm", type=filter_data.AttitudeDcm,
         title="Attitude direction cosine matrix",
         description="Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.",
-        facts=("Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.", "The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`."),
+        facts=("Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.", "The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`."),
         sources=("3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)", "3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45"),
         parameters=(
@@ -304,7 +304,7 @@ TYPES: dict[str, Info] = {
         "filter_data.euler_angles_uncertainty", type=filter_data.EulerAnglesUncertainty,
         title="Euler angles uncertainty",
         description="Standard deviation of the estimated Euler angles.",
-        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70 degrees of pitch up or down."),
+        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70 degrees of pitch up or down."),
         sources=("3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)", "3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         parameters=(
@@ -341,7 +341,7 @@ TYPES: dict[str, Info] = {
     "LinearAccel": FieldInfo(
         "filter_data.linear_accel", type=filter_data.LinearAccel,
         title="Linear acceleration",
-        description="Compensated acceleration less the estimated gravity.",
+        description="Compensated acceleration minus the estimated gravity.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.",),
         sources=("3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)", "3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
@@ -365,8 +365,8 @@ TYPES: dict[str, Info] = {
     "Wgs84GravityMagnitude": FieldInfo(
         "filter_data.wgs84_gravity_magnitude", type=filter_data.Wgs84GravityMagnitude,
         title="WGS84 local gravity magnitude",
-        description="Magnitude of gravity at the position of the device by the WGS84 model.",
-        facts=("Also called `wgs84_gravity_mag`.", "Supported by 3DM-GX5-15.", "The model holds up to an altitude of 20 km."),
+        description="Magnitude of gravity at the position of the device according to the WGS84 model.",
+        facts=("Also called `wgs84_gravity_mag`.", "Supported by 3DM-GX5-15.", "The model is valid up to an altitude of 20 km."),
         sources=("3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)",),
         also=("wgs84_gravity_mag",),
         devices=("3dm-gx5-15",),
@@ -379,12 +379,12 @@ TYPES: dict[str, Info] = {
         "filter_data.status", type=filter_data.Status,
         title="Filter status",
         description="State, dynamics mode, condition and warnings of the filter.",
-        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "The meaning of all three values depends on the device.", "3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).", "5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter runs."),
+        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "The meaning of all three values depends on the device.", "3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).", "5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter runs."),
         sources=("3dm-cv7-gnss-ins: Status (0x82,0x10)", "3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         parameters=(
             Parameter("filter_state", "filter_state", "scalar", description="State of the filter.", facts=("On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7FilterState`.", "On the 3DM-GX5-15: values of `filter_data.Gx5FilterState`."), scalar="u16", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7FilterState`.", {"type": filter_data.Cv7FilterState}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `filter_data.Gx5FilterState`.", {"type": filter_data.Gx5FilterState}),)),
-            Parameter("dynamics_mode", "dynamics_mode", "scalar", description="Motion for which the filter is set up.", facts=("On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7DynamicsMode`.", "On the 3DM-GX5-15: values of `filter_data.Gx5DynamicsMode`."), scalar="u16", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7DynamicsMode`.", {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `filter_data.Gx5DynamicsMode`.", {"type": filter_data.Gx5DynamicsMode}),)),
+            Parameter("dynamics_mode", "dynamics_mode", "scalar", description="Motion for which the filter is configured.", facts=("On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7DynamicsMode`.", "On the 3DM-GX5-15: values of `filter_data.Gx5DynamicsMode`."), scalar="u16", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7DynamicsMode`.", {"type": filter_data.Cv7DynamicsMode}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `filter_data.Gx5DynamicsMode`.", {"type": filter_data.Gx5DynamicsMode}),)),
             Parameter("status_flags", "status_flags", "scalar", description="Condition and warnings.", facts=("On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7StatusFlags`.", "On the 3DM-GX5-15: values of `filter_data.Gx5StatusFlags`."), scalar="u16", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `filter_data.Cv7StatusFlags`.", {"type": filter_data.Cv7StatusFlags}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `filter_data.Gx5StatusFlags`.", {"type": filter_data.Gx5StatusFlags}),)),
         ),
     ),
@@ -392,7 +392,7 @@ TYPES: dict[str, Info] = {
         "filter_data.timestamp", type=filter_data.Timestamp,
         title="Filter timestamp",
         description="GPS time of the filter data.",
-        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.", "Without synchronization to a receiver or an external clock it is the internal system time.", "3DM-CV7: the field may be withdrawn; `shared.GpsTimestamp` is better."),
+        facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "Without PPS the internal clock drives the time, and the time jumps when the PPS returns.", "Without synchronization to a receiver or an external clock it is the internal system time.", "3DM-CV7: the field may be withdrawn; `shared.GpsTimestamp` is better."),
         sources=("3dm-cv7-gnss-ins: Timestamp (0x82,0x11)", "3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         parameters=(
@@ -442,7 +442,7 @@ TYPES: dict[str, Info] = {
     "MagneticModel": FieldInfo(
         "filter_data.magnetic_model", type=filter_data.MagneticModel,
         title="Magnetic model",
-        description="Magnetic field at the position of the device by the World Magnetic Model.",
+        description="Magnetic field at the position of the device according to the World Magnetic Model.",
         facts=("Supported by 3DM-CV7-GNSS/INS.", "It is valid only with a valid GNSS position."),
         sources=("3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)",),
         devices=("3dm-cv7-gnss-ins",),
@@ -459,7 +459,7 @@ TYPES: dict[str, Info] = {
         "filter_data.gyro_scale_factor", type=filter_data.GyroScaleFactor,
         title="Gyroscope scale factor",
         description="Estimated scale factor of the gyroscope.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Gyro Scale Factor (0x82,0x16)",),
         parameters=(
             Parameter("scale_factor", "scale_factor", "array", description="Scale factor per axis.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -470,7 +470,7 @@ TYPES: dict[str, Info] = {
         "filter_data.accel_scale_factor", type=filter_data.AccelScaleFactor,
         title="Accelerometer scale factor",
         description="Estimated scale factor of the accelerometer.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Accel Scale Factor (0x82,0x17)",),
         parameters=(
             Parameter("scale_factor", "scale_factor", "array", description="Scale factor per axis.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -481,7 +481,7 @@ TYPES: dict[str, Info] = {
         "filter_data.gyro_scale_factor_uncertainty", type=filter_data.GyroScaleFactorUncertainty,
         title="Gyroscope scale factor uncertainty",
         description="Standard deviation of the estimated scale factor of the gyroscope.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)",),
         parameters=(
             Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", description="Standard deviation per axis.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -492,7 +492,7 @@ TYPES: dict[str, Info] = {
         "filter_data.accel_scale_factor_uncertainty", type=filter_data.AccelScaleFactorUncertainty,
         title="Accelerometer scale factor uncertainty",
         description="Standard deviation of the estimated scale factor of the accelerometer.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)",),
         parameters=(
             Parameter("scale_factor_uncertainty", "scale_factor_uncertainty", "array", description="Standard deviation per axis.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("1",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -503,7 +503,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_bias", type=filter_data.MagBias,
         title="Magnetometer bias",
         description="Estimated bias of the magnetometer.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Mag Bias (0x82,0x1A)",),
         parameters=(
             Parameter("bias", "bias", "array", description="Bias.", facts=("Elements: x, y, z.", "Unit: gauss.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -514,7 +514,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_bias_uncertainty", type=filter_data.MagBiasUncertainty,
         title="Magnetometer bias uncertainty",
         description="Standard deviation of the estimated bias of the magnetometer.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)",),
         parameters=(
             Parameter("bias_uncertainty", "bias_uncertainty", "array", description="Standard deviation per axis.", facts=("Elements: x, y, z.", "Unit: gauss.", "Frame: sensor.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("gauss",), valid=("valid_flags.valid",), frame="sensor", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -524,7 +524,7 @@ TYPES: dict[str, Info] = {
     "CompAccel": FieldInfo(
         "filter_data.comp_accel", type=filter_data.CompAccel,
         title="Compensated acceleration",
-        description="Acceleration without the estimated bias; gravity is still in it.",
+        description="Acceleration without the estimated bias; it includes gravity.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.",),
         sources=("3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)", "3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
@@ -537,10 +537,10 @@ TYPES: dict[str, Info] = {
         "filter_data.standard_atmosphere", type=filter_data.StandardAtmosphere,
         title="Standard atmosphere",
         description="US Standard Atmosphere of 1976 at the altitude of the device.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "It is valid only with a valid GNSS position."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "It is valid only with a valid GNSS position."),
         sources=("mip-sdk-4: Standard Atmosphere (0x82,0x20)",),
         parameters=(
-            Parameter("geometric_altitude", "geometric_altitude", "scalar", description="Altitude that goes into the model.", facts=("Unit: m.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("geometric_altitude", "geometric_altitude", "scalar", description="Altitude used in the model.", facts=("Unit: m.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("geopotential_altitude", "geopotential_altitude", "scalar", description="Geopotential altitude.", facts=("Unit: m.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("standard_temperature", "standard_temperature", "scalar", description="Temperature.", facts=("Unit: degC.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("degC",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("standard_pressure", "standard_pressure", "scalar", description="Pressure.", facts=("Unit: mbar.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("mbar",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -564,7 +564,7 @@ TYPES: dict[str, Info] = {
         "filter_data.density_altitude", type=filter_data.DensityAltitude,
         title="Density altitude",
         description="Altitude at which the standard atmosphere has the density of the air around the device.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The SDK gives the name only; the description is the usual meaning of the term."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: The SDK gives the name only; the description is the usual meaning of the term."),
         sources=("mip-sdk-4: Density Altitude (0x82,0x22)",),
         parameters=(
             Parameter("density_altitude", "density_altitude", "scalar", description="Altitude.", facts=("Unit: m.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -575,7 +575,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_offset", type=filter_data.MagOffset,
         title="Magnetometer offset",
         description="Estimated hard iron offset of the magnetometer.",
-        facts=("Also called `magnetometer_offset`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`."),
+        facts=("Also called `magnetometer_offset`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`."),
         sources=("mip-sdk-4: Magnetometer Offset (0x82,0x25)",),
         also=("magnetometer_offset",),
         parameters=(
@@ -587,7 +587,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_matrix", type=filter_data.MagMatrix,
         title="Magnetometer matrix",
         description="Estimated soft iron matrix of the magnetometer.",
-        facts=("Also called `magnetometer_matrix`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right."),
+        facts=("Also called `magnetometer_matrix`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right."),
         sources=("mip-sdk-4: Magnetometer Matrix (0x82,0x26)",),
         also=("magnetometer_matrix",),
         parameters=(
@@ -599,7 +599,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_offset_uncertainty", type=filter_data.MagOffsetUncertainty,
         title="Magnetometer offset uncertainty",
         description="Standard deviation of the estimated hard iron offset.",
-        facts=("Also called `magnetometer_offset_uncertainty`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `magnetometer_offset_uncertainty`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)",),
         also=("magnetometer_offset_uncertainty",),
         parameters=(
@@ -611,7 +611,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_matrix_uncertainty", type=filter_data.MagMatrixUncertainty,
         title="Magnetometer matrix uncertainty",
         description="Standard deviation of the estimated soft iron matrix.",
-        facts=("Also called `magnetometer_matrix_uncertainty`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `magnetometer_matrix_uncertainty`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)",),
         also=("magnetometer_matrix_uncertainty",),
         parameters=(
@@ -623,7 +623,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_covariance_matrix", type=filter_data.MagCovarianceMatrix,
         title="Magnetometer covariance matrix",
         description="Covariance of the magnetometer measurement.",
-        facts=("Also called `magnetometer_covariance_matrix`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `magnetometer_covariance_matrix`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)",),
         also=("magnetometer_covariance_matrix",),
         parameters=(
@@ -635,7 +635,7 @@ TYPES: dict[str, Info] = {
         "filter_data.mag_residual_vector", type=filter_data.MagResidualVector,
         title="Magnetometer residual vector",
         description="Residual of the magnetometer measurement.",
-        facts=("Also called `magnetometer_residual_vector`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `magnetometer_residual_vector`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)",),
         also=("magnetometer_residual_vector",),
         parameters=(
@@ -647,7 +647,7 @@ TYPES: dict[str, Info] = {
         "filter_data.antenna_offset_correction", type=filter_data.AntennaOffsetCorrection,
         title="Antenna offset correction",
         description="Estimated error of the offset of the GNSS antenna.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The filter adds it to the stored offset of `filter.AntennaOffset`."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "The filter adds it to the stored offset of `filter.AntennaOffset`."),
         sources=("mip-sdk-4: Antenna Offset Correction (0x82,0x30)",),
         parameters=(
             Parameter("offset", "offset", "array", description="Correction of the offset.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -658,7 +658,7 @@ TYPES: dict[str, Info] = {
         "filter_data.antenna_offset_correction_uncertainty", type=filter_data.AntennaOffsetCorrectionUncertainty,
         title="Antenna offset correction uncertainty",
         description="Standard deviation of the estimated error of the offset of the GNSS antenna.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)",),
         parameters=(
             Parameter("offset_uncertainty", "offset_uncertainty", "array", description="Standard deviation per axis.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="vehicle", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
@@ -669,7 +669,7 @@ TYPES: dict[str, Info] = {
         "filter_data.clock_correction", type=filter_data.ClockCorrection,
         title="Clock correction",
         description="Estimated clock error of one GNSS receiver.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Clock Correction (0x82,0x32)",),
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", description="Receiver, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),
@@ -682,7 +682,7 @@ TYPES: dict[str, Info] = {
         "filter_data.clock_correction_uncertainty", type=filter_data.ClockCorrectionUncertainty,
         title="Clock correction uncertainty",
         description="Standard deviation of the estimated clock error of one GNSS receiver.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)",),
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", description="Receiver, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),
@@ -801,7 +801,7 @@ TYPES: dict[str, Info] = {
         "filter_data.gnss_attitude_aiding_status", type=filter_data.GnssAttitudeAidingStatus,
         title="GNSS attitude aiding status",
         description="How the filter uses the attitude that two GNSS antennas give.",
-        facts=("Also called `gnss_att_aid_status`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
+        facts=("Also called `gnss_att_aid_status`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
         sources=("mip-sdk-4: Gnss Att Aid Status (0x82,0x44)",),
         also=("gnss_att_aid_status",),
         parameters=(
@@ -814,7 +814,7 @@ TYPES: dict[str, Info] = {
         "filter_data.heading_aiding_status", type=filter_data.HeadingAidingStatus,
         title="Heading aiding status",
         description="The heading measurement that the filter used last.",
-        facts=("Also called `head_aid_status`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
+        facts=("Also called `head_aid_status`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
         sources=("mip-sdk-4: Head Aid Status (0x82,0x45)",),
         also=("head_aid_status",),
         parameters=(
@@ -873,7 +873,7 @@ TYPES: dict[str, Info] = {
             Parameter("heading", "heading", "scalar", description="Heading.", facts=("Unit: rad.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("heading_uncertainty", "heading_uncertainty", "scalar", description="Uncertainty of the heading.", facts=("Unit: rad.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="float", units=("rad",), valid=("valid_flags.valid",), flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("fix_type", "fix_type", "scalar", description="Kind of solution.", scalar="u8", type=filter_data.DualAntennaFixType),
-            Parameter("status_flags", "status_flags", "scalar", description="What the solution has to work with.", scalar="u16", type=filter_data.DualAntennaStatusFlags),
+            Parameter("status_flags", "status_flags", "scalar", description="Inputs available to the solution.", scalar="u16", type=filter_data.DualAntennaStatusFlags),
             Parameter("valid_flags", "valid_flags", "scalar", description="Validity of the values.", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),

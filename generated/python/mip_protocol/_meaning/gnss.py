@@ -16,7 +16,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", description="Receiver, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),
             Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", description="Descriptor set of the data of this receiver.", facts=("Range: 128 to 254.",), scalar="u8", minimum=128, maximum=254),
-            Parameter("description", "description", "text", description="Module name or model and firmware version, with a comma between.", scalar="char", length=32),
+            Parameter("description", "description", "text", description="Module name or model and firmware version, separated by a comma.", scalar="char", length=32),
         ),
     ),
     "GpsSignals": BitsInfo(
@@ -51,17 +51,17 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "SpartnConnection": EnumInfo(
-        "gnss.spartn_connection", type=gnss.SpartnConnection, description="How SPARTN corrections come.",
+        "gnss.spartn_connection", type=gnss.SpartnConnection, description="How SPARTN corrections are received.",
         values=(
             ValueInfo("none", value=0, description="No connection."),
-            ValueInfo("network", value=1, description="By a network."),
+            ValueInfo("network", value=1, description="Over a network."),
             ValueInfo("l_band", value=2, description="By satellite in the L band."),
         ),
     ),
     "ReceiverInfo": FieldInfo(
         "gnss.receiver_info", type=gnss.ReceiverInfo,
         title="Receiver info",
-        description="Asks which GNSS receivers the device has.",
+        description="Gets the GNSS receivers of the device.",
         facts=("Answered by `gnss.ReceiverInfoResponse`.", "Supported by 3DM-CV7-GNSS/INS."),
         sources=("3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)",),
         devices=("3dm-cv7-gnss-ins",),
@@ -72,7 +72,7 @@ TYPES: dict[str, Info] = {
         "gnss.signal_config", type=gnss.SignalConfig,
         title="Signal configuration",
         description="GNSS signals that the device uses.",
-        facts=("Also called `signal_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.SignalConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A device takes certain combinations only.", "The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1."),
+        facts=("Also called `signal_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.SignalConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A device accepts certain combinations only.", "The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1."),
         sources=("3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)", "3dm-cv7-gnss-ins: GNSS"),
         also=("signal_configuration",),
         functions=("write", "read", "save", "load", "default"),
@@ -90,7 +90,7 @@ TYPES: dict[str, Info] = {
         "gnss.rtk_dongle_config", type=gnss.RtkDongleConfig,
         title="RTK dongle configuration",
         description="Whether the device talks to the RTK dongle that is connected to it.",
-        facts=("Also called `rtk_dongle_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.RtkDongleConfigResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `rtk_dongle_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.RtkDongleConfigResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)",),
         also=("rtk_dongle_configuration",),
         functions=("write", "read", "save", "load", "default"),
@@ -104,7 +104,7 @@ TYPES: dict[str, Info] = {
         "gnss.spartn_config", type=gnss.SpartnConfig,
         title="SPARTN configuration",
         description="Source and keys of SPARTN corrections.",
-        facts=("Also called `spartn_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.SpartnConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A change of enable or type has an effect after a power cycle only; keys can be changed while running.", "While SPARTN corrections are enabled, RTCM corrections are blocked.", "A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.", "Uncertain: Whether the device takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the command has \"bc\" for 0xBC."),
+        facts=("Also called `spartn_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.SpartnConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time.", "While SPARTN corrections are enabled, RTCM corrections are blocked.", "A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.", "Uncertain: Whether the device accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the command has \"bc\" for 0xBC."),
         sources=("3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)", "3dm-cv7-gnss-ins: SPARTN Corrections", "3dm-cv7-gnss-ins: SPARTN Corrections via UART"),
         also=("spartn_configuration",),
         functions=("write", "read", "save", "load", "default"),
@@ -112,7 +112,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", description="1 enables SPARTN corrections, 0 disables them.", facts=("Range: 0 to 1.", "Required for `write`."), scalar="u8", maximum=1, required=("write",), minimum=0),
-            Parameter("type", "type", "scalar", description="How the corrections come.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=gnss.SpartnConnection),
+            Parameter("type", "type", "scalar", description="How the corrections are received.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=gnss.SpartnConnection),
             Parameter("current_key_tow", "current_key_tow", "scalar", description="GPS time of week until which the current key is valid.", facts=("Unit: s.", "Required for `write`."), scalar="u32", units=("s",), required=("write",)),
             Parameter("current_key_week", "current_key_week", "scalar", description="GPS week number until which the current key is valid.", facts=("Unit: week.", "Required for `write`."), scalar="u16", units=("week",), required=("write",)),
             Parameter("current_key", "current_key", "array", description="Current key in ASCII digits.", facts=("Required for `write`.",), scalar="u8", length=32, required=("write",)),
@@ -150,7 +150,7 @@ TYPES: dict[str, Info] = {
     "RtkDongleConfigResponse": FieldInfo(
         "gnss.rtk_dongle_config_response", type=gnss.RtkDongleConfigResponse,
         title="RTK dongle configuration response",
-        facts=("Also called `rtk_dongle_configuration_response`.", "Answers `gnss.RtkDongleConfig`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `rtk_dongle_configuration_response`.", "Answers `gnss.RtkDongleConfig`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)",),
         also=("rtk_dongle_configuration_response",),
         parameters=(
@@ -167,7 +167,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
             Parameter("enable", "enable", "scalar", description="1 enables SPARTN corrections, 0 disables them.", facts=("Range: 0 to 1.",), scalar="u8", maximum=1, minimum=0),
-            Parameter("type", "type", "scalar", description="How the corrections come.", scalar="u8", type=gnss.SpartnConnection),
+            Parameter("type", "type", "scalar", description="How the corrections are received.", scalar="u8", type=gnss.SpartnConnection),
             Parameter("current_key_tow", "current_key_tow", "scalar", description="GPS time of week until which the current key is valid.", facts=("Unit: s.",), scalar="u32", units=("s",)),
             Parameter("current_key_week", "current_key_week", "scalar", description="GPS week number until which the current key is valid.", facts=("Unit: week.",), scalar="u16", units=("week",)),
             Parameter("current_key", "current_key", "array", description="Current key in ASCII digits.", scalar="u8", length=32),

@@ -64,7 +64,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "UtcTimeFlags": BitsInfo(
-        "gnss_1.utc_time_flags", type=gnss_1.UtcTimeFlags, description="How far the UTC time is valid.",
+        "gnss_1.utc_time_flags", type=gnss_1.UtcTimeFlags, description="Which parts of the UTC time are valid.",
         bits=(
             BitInfo("gnss_date_time", first=0, last=0, description="Date and time come from GNSS."),
             BitInfo("leap_seconds_known", first=1, last=1, description="The leap seconds between GPS time and UTC are known."),
@@ -89,7 +89,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "FixFlags": BitsInfo(
-        "gnss_1.fix_flags", type=gnss_1.FixFlags, description="What the fix makes use of.",
+        "gnss_1.fix_flags", type=gnss_1.FixFlags, description="What the fix uses.",
         bits=(
             BitInfo("sbas_used", first=0, last=0, description="Satellite based augmentation."),
             BitInfo("dgnss_used", first=1, last=1, description="Differential corrections."),
@@ -124,7 +124,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ReceiverState": EnumInfo(
-        "gnss_1.receiver_state", type=gnss_1.ReceiverState, description="Whether the receiver works.",
+        "gnss_1.receiver_state", type=gnss_1.ReceiverState, description="State of the receiver.",
         values=(
             ValueInfo("off", value=0, description="Off."),
             ValueInfo("on", value=1, description="On."),
@@ -287,7 +287,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.signal_quality", type=gnss_1.SignalQuality, description="How well a signal is tracked.",
         values=(
             ValueInfo("none", value=0, description="No signal."),
-            ValueInfo("searching", value=1, description="The signal is searched."),
+            ValueInfo("searching", value=1, description="The signal is being searched for."),
             ValueInfo("acquired", value=2, description="The signal is acquired."),
             ValueInfo("unusable", value=3, description="The signal is found but cannot be used."),
             ValueInfo("time_locked", value=4, description="Locked in time."),
@@ -343,7 +343,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "RtkEpochStatus": BitsInfo(
-        "gnss_1.rtk_epoch_status", type=gnss_1.RtkEpochStatus, description="Corrections that came during an epoch.",
+        "gnss_1.rtk_epoch_status", type=gnss_1.RtkEpochStatus, description="Corrections received during an epoch.",
         bits=(
             BitInfo("antenna_location_received", first=0, last=0, description="Antenna location."),
             BitInfo("antenna_description_received", first=1, last=1, description="Antenna description."),
@@ -351,8 +351,8 @@ TYPES: dict[str, Info] = {
             BitInfo("glonass_received", first=3, last=3, description="GLONASS corrections."),
             BitInfo("galileo_received", first=4, last=4, description="Galileo corrections."),
             BitInfo("beidou_received", first=5, last=5, description="BeiDou corrections."),
-            BitInfo("using_gps_msm_messages", first=6, last=6, description="GPS corrections come in MSM messages, not in the RTCM messages 1001-1004."),
-            BitInfo("using_glonass_msm_messages", first=7, last=7, description="GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012."),
+            BitInfo("using_gps_msm_messages", first=6, last=6, description="GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004."),
+            BitInfo("using_glonass_msm_messages", first=7, last=7, description="GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012."),
             BitInfo("dongle_status_read_failed", first=8, last=8, description="The status of the dongle could not be read."),
         ),
     ),
@@ -521,7 +521,7 @@ TYPES: dict[str, Info] = {
             Parameter("min", "min", "scalar", description="Minute.", facts=("Range: 0 to 59.", "Valid if `gnss_1.UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."), scalar="u8", valid=("valid_flags.gnss_date_time",), maximum=59, minimum=0, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("sec", "sec", "scalar", description="Second.", facts=("Unit: s.", "Range: 0 to 59.", "Valid if `gnss_1.UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."), scalar="u8", units=("s",), valid=("valid_flags.gnss_date_time",), maximum=59, minimum=0, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
             Parameter("msec", "msec", "scalar", description="Fraction of the second.", facts=("Unit: ms.", "Range: 0 to 999.", "Valid if `gnss_1.UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."), scalar="u32", units=("ms",), valid=("valid_flags.gnss_date_time",), maximum=999, minimum=0, flags=(Flag("valid_flags.gnss_date_time", "valid_flags", 0x1),)),
-            Parameter("valid_flags", "valid_flags", "scalar", description="How far the time is valid.", scalar="u16", type=gnss_1.UtcTimeFlags),
+            Parameter("valid_flags", "valid_flags", "scalar", description="Which parts of the time are valid.", scalar="u16", type=gnss_1.UtcTimeFlags),
         ),
     ),
     "GpsTime": FieldInfo(
@@ -541,7 +541,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.clock_info", type=gnss_1.ClockInfo,
         title="Clock info",
         description="Bias and drift of the receiver clock.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Clock info 2 replaces it and tells more."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Clock info 2 replaces it and gives more detail."),
         sources=("mip-sdk-4: Clock Info (0x81,0x0A)",),
         parameters=(
             Parameter("bias", "bias", "scalar", description="Bias of the clock.", facts=("Unit: s.", "Valid if `gnss_1.ClockInfoFlags.BIAS` of `valid_flags` is set."), scalar="double", units=("s",), valid=("valid_flags.bias",), flags=(Flag("valid_flags.bias", "valid_flags", 0x1),)),
@@ -553,14 +553,14 @@ TYPES: dict[str, Info] = {
     "FixInfo": FieldInfo(
         "gnss_1.fix_info", type=gnss_1.FixInfo,
         title="Fix info",
-        description="Type of the position fix and what it is made of.",
+        description="Type of the position fix and what it is based on.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.",),
         sources=("3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)",),
         devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
             Parameter("fix_type", "fix_type", "scalar", description="Type of the fix.", facts=("Valid if `gnss_1.FixInfoFlags.FIX_TYPE` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.fix_type",), type=types.GnssFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x1),)),
-            Parameter("num_sv", "num_sv", "scalar", description="Number of satellites of the fix.", facts=("Unit: 1.", "Valid if `gnss_1.FixInfoFlags.NUM_SV` of `valid_flags` is set."), scalar="u8", units=("1",), valid=("valid_flags.num_sv",), flags=(Flag("valid_flags.num_sv", "valid_flags", 0x2),)),
-            Parameter("fix_flags", "fix_flags", "scalar", description="Aids of the fix.", facts=("Valid if `gnss_1.FixInfoFlags.FIX_FLAGS` of `valid_flags` is set.",), scalar="u16", valid=("valid_flags.fix_flags",), type=gnss_1.FixFlags, flags=(Flag("valid_flags.fix_flags", "valid_flags", 0x4),)),
+            Parameter("num_sv", "num_sv", "scalar", description="Number of satellites used in the fix.", facts=("Unit: 1.", "Valid if `gnss_1.FixInfoFlags.NUM_SV` of `valid_flags` is set."), scalar="u8", units=("1",), valid=("valid_flags.num_sv",), flags=(Flag("valid_flags.num_sv", "valid_flags", 0x2),)),
+            Parameter("fix_flags", "fix_flags", "scalar", description="What the fix uses.", facts=("Valid if `gnss_1.FixInfoFlags.FIX_FLAGS` of `valid_flags` is set.",), scalar="u16", valid=("valid_flags.fix_flags",), type=gnss_1.FixFlags, flags=(Flag("valid_flags.fix_flags", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", description="Which values are valid.", scalar="u16", type=gnss_1.FixInfoFlags),
         ),
     ),
@@ -568,7 +568,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.sv_info", type=gnss_1.SvInfo,
         title="Satellite info",
         description="One satellite that is tracked.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The satellites come as one field each, in packets apart from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Each satellite is sent as one field, in packets separate from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
         sources=("mip-sdk-4: Sv Info (0x81,0x0C)",),
         parameters=(
             Parameter("channel", "channel", "scalar", description="Channel of the receiver that tracks the satellite.", facts=("Valid if `gnss_1.SvInfoFlags.CHANNEL` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.channel",), flags=(Flag("valid_flags.channel", "valid_flags", 0x1),)),
@@ -599,7 +599,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.dgps_info", type=gnss_1.DgpsInfo,
         title="DGPS info",
         description="State of the differential corrections.",
-        facts=("No device profile lists it.", "Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another one, u8, three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
+        facts=("Not listed in any device profile.", "Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another layout: u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
         sources=("3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)", "mip-sdk-4: Dgps Info (0x81,0x0E)"),
         parameters=(
             Parameter("age", "age", "scalar", description="Age of the corrections.", facts=("Unit: s.", "Valid if `gnss_1.DgpsInfoFlags.AGE` of `valid_flags` is set.", "Uncertain: The unit, which follows from `gnss_1.DgpsChannel`."), scalar="float", units=("s",), valid=("valid_flags.age",), flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
@@ -613,7 +613,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.dgps_channel", type=gnss_1.DgpsChannel,
         title="DGPS channel",
         description="Differential correction for one satellite.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The active satellites come as one field each, all in one packet."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Each active satellite is sent as one field, all in one packet."),
         sources=("mip-sdk-4: Dgps Channel (0x81,0x0F)",),
         parameters=(
             Parameter("satellite_id", "satellite_id", "scalar", description="Number of the satellite.", facts=("Valid if `gnss_1.DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.satellite_id",), flags=(Flag("valid_flags.satellite_id", "valid_flags", 0x1),)),
@@ -671,7 +671,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.sbas_correction", type=gnss_1.SbasCorrection,
         title="SBAS correction",
         description="SBAS correction for one satellite.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "An epoch is sent as one field for each satellite; index and count number the fields.", "udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "An epoch is sent as one field for each satellite; index and count number the fields.", "udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695."),
         sources=("mip-sdk-4: Sbas Correction (0x81,0x13)",),
         parameters=(
             Parameter("index", "index", "scalar", description="Number of this field within the epoch.", scalar="u8"),
@@ -680,7 +680,7 @@ TYPES: dict[str, Info] = {
             Parameter("week_number", "week_number", "scalar", description="GPS week number.", facts=("Unit: week.",), scalar="u16", units=("week",)),
             Parameter("gnss_id", "gnss_id", "scalar", description="Constellation.", scalar="u8", type=types.GnssConstellation),
             Parameter("satellite_id", "satellite_id", "scalar", description="Satellite within the constellation.", scalar="u8"),
-            Parameter("udrei", "udrei", "scalar", description="Indicator of the range error that is left after fast and long-term corrections, the atmosphere apart; 14 is not monitored, 15 not usable.", facts=("Range: 0 to 15.", "Valid if `gnss_1.SbasCorrectionFlags.UDREI` of `valid_flags` is set."), scalar="u8", valid=("valid_flags.udrei",), maximum=15, minimum=0, flags=(Flag("valid_flags.udrei", "valid_flags", 0x1),)),
+            Parameter("udrei", "udrei", "scalar", description="Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable.", facts=("Range: 0 to 15.", "Valid if `gnss_1.SbasCorrectionFlags.UDREI` of `valid_flags` is set."), scalar="u8", valid=("valid_flags.udrei",), maximum=15, minimum=0, flags=(Flag("valid_flags.udrei", "valid_flags", 0x1),)),
             Parameter("pseudorange_correction", "pseudorange_correction", "scalar", description="Correction of the pseudorange.", facts=("Unit: m.", "Valid if `gnss_1.SbasCorrectionFlags.PSEUDORANGE_CORRECTION` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.pseudorange_correction",), flags=(Flag("valid_flags.pseudorange_correction", "valid_flags", 0x2),)),
             Parameter("iono_correction", "iono_correction", "scalar", description="Correction of the ionospheric delay.", facts=("Unit: m.", "Valid if `gnss_1.SbasCorrectionFlags.IONO_CORRECTION` of `valid_flags` is set."), scalar="float", units=("m",), valid=("valid_flags.iono_correction",), flags=(Flag("valid_flags.iono_correction", "valid_flags", 0x4),)),
             Parameter("valid_flags", "valid_flags", "scalar", description="Which values are valid.", scalar="u16", type=gnss_1.SbasCorrectionFlags),
@@ -689,8 +689,8 @@ TYPES: dict[str, Info] = {
     "RfErrorDetection": FieldInfo(
         "gnss_1.rf_error_detection", type=gnss_1.RfErrorDetection,
         title="RF error detection",
-        description="Jamming and spoofing as the receiver detects them in one band.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Jamming and spoofing that the receiver detects in one band.",
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rf Error Detection (0x81,0x14)",),
         parameters=(
             Parameter("rf_band", "rf_band", "scalar", description="Band.", facts=("Valid if `gnss_1.RfErrorDetectionFlags.RF_BAND` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.rf_band",), type=gnss_1.RfBand, flags=(Flag("valid_flags.rf_band", "valid_flags", 0x1),)),
@@ -703,7 +703,7 @@ TYPES: dict[str, Info] = {
     "SatelliteStatus": FieldInfo(
         "gnss_1.satellite_status", type=gnss_1.SatelliteStatus,
         title="Satellite status",
-        description="Where one satellite stands, and its health.",
+        description="Direction to one satellite, and its health.",
         facts=("Supported by 3DM-CV7-GNSS/INS.", "An epoch is sent as one field for each satellite; index and count number the fields."),
         sources=("3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)",),
         devices=("3dm-cv7-gnss-ins",),
@@ -753,7 +753,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.base_station_info", type=gnss_1.BaseStationInfo,
         title="Base station info",
         description="The base station of the corrections, from an RTCM message 1005 or 1006.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Base Station Info (0x81,0x30)",),
         parameters=(
             Parameter("tow", "tow", "scalar", description="GPS time of week at which the message was received.", facts=("Unit: s.", "Valid if `gnss_1.BaseStationInfoFlags.TOW` of `valid_flags` is set."), scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
@@ -768,14 +768,14 @@ TYPES: dict[str, Info] = {
     "RtkCorrectionsStatus": FieldInfo(
         "gnss_1.rtk_corrections_status", type=gnss_1.RtkCorrectionsStatus,
         title="RTK corrections status",
-        description="Which corrections come, and how old they are.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Which corrections are received, and how old they are.",
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Corrections Status (0x81,0x31)",),
         parameters=(
             Parameter("tow", "tow", "scalar", description="GPS time of week.", facts=("Unit: s.", "Valid if `gnss_1.RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set."), scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", description="GPS week number.", facts=("Unit: week.", "Valid if `gnss_1.RtkCorrectionsStatusFlags.WEEK_NUMBER` of `valid_flags` is set."), scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
-            Parameter("epoch_status", "epoch_status", "scalar", description="Corrections that came during this epoch.", facts=("Valid if `gnss_1.RtkCorrectionsStatusFlags.EPOCH_STATUS` of `valid_flags` is set.",), scalar="u16", valid=("valid_flags.epoch_status",), type=gnss_1.RtkEpochStatus, flags=(Flag("valid_flags.epoch_status", "valid_flags", 0x4),)),
-            Parameter("dongle_status", "dongle_status", "scalar", description="Status flags of the RTK dongle; of use only with a dongle.", facts=("Valid if `gnss_1.RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set.", "The same word as that of `rtk.GetStatusFlags`, in one of its two forms."), scalar="u32", valid=("valid_flags.dongle_status",), type=types.RtkStatusFlags, flags=(Flag("valid_flags.dongle_status", "valid_flags", 0x8),)),
+            Parameter("epoch_status", "epoch_status", "scalar", description="Corrections received during this epoch.", facts=("Valid if `gnss_1.RtkCorrectionsStatusFlags.EPOCH_STATUS` of `valid_flags` is set.",), scalar="u16", valid=("valid_flags.epoch_status",), type=gnss_1.RtkEpochStatus, flags=(Flag("valid_flags.epoch_status", "valid_flags", 0x4),)),
+            Parameter("dongle_status", "dongle_status", "scalar", description="Status flags of the RTK dongle; of use only with a dongle.", facts=("Valid if `gnss_1.RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set.", "The same word as in the response to `rtk.GetStatusFlags`, in one of its two forms."), scalar="u32", valid=("valid_flags.dongle_status",), type=types.RtkStatusFlags, flags=(Flag("valid_flags.dongle_status", "valid_flags", 0x8),)),
             Parameter("gps_correction_latency", "gps_correction_latency", "scalar", description="Latency of the last GPS correction.", facts=("Unit: s.", "Valid if `gnss_1.RtkCorrectionsStatusFlags.GPS_LATENCY` of `valid_flags` is set."), scalar="float", units=("s",), valid=("valid_flags.gps_latency",), flags=(Flag("valid_flags.gps_latency", "valid_flags", 0x10),)),
             Parameter("glonass_correction_latency", "glonass_correction_latency", "scalar", description="Latency of the last GLONASS correction.", facts=("Unit: s.", "Valid if `gnss_1.RtkCorrectionsStatusFlags.GLONASS_LATENCY` of `valid_flags` is set."), scalar="float", units=("s",), valid=("valid_flags.glonass_latency",), flags=(Flag("valid_flags.glonass_latency", "valid_flags", 0x20),)),
             Parameter("galileo_correction_latency", "galileo_correction_latency", "scalar", description="Latency of the last Galileo correction.", facts=("Unit: s.", "Valid if `gnss_1.RtkCorrectionsStatusFlags.GALILEO_LATENCY` of `valid_flags` is set."), scalar="float", units=("s",), valid=("valid_flags.galileo_latency",), flags=(Flag("valid_flags.galileo_latency", "valid_flags", 0x40),)),
@@ -788,7 +788,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.gps_ephemeris", type=gnss_1.GpsEphemeris,
         title="GPS ephemeris",
         description="Broadcast orbit and clock of one GPS satellite.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
@@ -850,7 +850,7 @@ TYPES: dict[str, Info] = {
             Parameter("tau_n", "tau_n", "scalar", description="Correction of the satellite time relative to GLONASS time.", facts=("Unit: s.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="double", units=("s",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("position", "position", "array", description="Position of the satellite in PZ-90.", facts=("Elements: x, y, z.", "Unit: m.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("velocity", "velocity", "array", description="Velocity of the satellite in PZ-90.", facts=("Elements: x, y, z.", "Unit: m/s.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("m/s",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
-            Parameter("accel", "accel", "array", description="Acceleration of the satellite by perturbations, in PZ-90.", facts=("Elements: x, y, z.", "Unit: m/s^2.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
+            Parameter("accel", "accel", "array", description="Acceleration of the satellite due to perturbations, in PZ-90.", facts=("Elements: x, y, z.", "Unit: m/s^2.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="float", elements=("x", "y", "z"), units=("m/s^2",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("health", "health", "scalar", description="Health (Bn); not 0 if the satellite fails.", facts=("Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("p", "p", "scalar", description="Mode of operation of the satellite.", facts=("Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.",), scalar="u8", valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
             Parameter("nt", "nt", "scalar", description="Day within a period of four years.", facts=("Unit: day.", "Valid if `gnss_1.GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set."), scalar="u8", units=("day",), valid=("valid_flags.ephemeris",), flags=(Flag("valid_flags.ephemeris", "valid_flags", 0x1),)),
@@ -868,7 +868,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.galileo_ephemeris", type=gnss_1.GalileoEphemeris,
         title="Galileo ephemeris",
         description="Broadcast orbit and clock of one Galileo satellite.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
@@ -912,7 +912,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.beidou_ephemeris", type=gnss_1.BeidouEphemeris,
         title="BeiDou ephemeris",
         description="Broadcast orbit and clock of one BeiDou satellite.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
@@ -956,7 +956,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.gps_iono_correction", type=gnss_1.GpsIonoCorrection,
         title="GPS ionospheric correction",
         description="Model of the ionosphere that GPS broadcasts.",
-        facts=("Also called `gps_iono_corr`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `gps_iono_corr`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Gps Iono Corr (0x81,0x71)",),
         also=("gps_iono_corr",),
         parameters=(
@@ -971,14 +971,14 @@ TYPES: dict[str, Info] = {
         "gnss_1.galileo_iono_correction", type=gnss_1.GalileoIonoCorrection,
         title="Galileo ionospheric correction",
         description="Model of the ionosphere that Galileo broadcasts.",
-        facts=("Also called `galileo_iono_corr`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `galileo_iono_corr`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Galileo Iono Corr (0x81,0x73)",),
         also=("galileo_iono_corr",),
         parameters=(
             Parameter("tow", "tow", "scalar", description="GPS time of week.", facts=("Unit: s.", "Valid if `gnss_1.GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set."), scalar="double", units=("s",), valid=("valid_flags.tow",), flags=(Flag("valid_flags.tow", "valid_flags", 0x1),)),
             Parameter("week_number", "week_number", "scalar", description="GPS week number.", facts=("Unit: week.", "Valid if `gnss_1.GalileoIonoCorrectionFlags.WEEK_NUMBER` of `valid_flags` is set."), scalar="u16", units=("week",), valid=("valid_flags.week_number",), flags=(Flag("valid_flags.week_number", "valid_flags", 0x2),)),
             Parameter("alpha", "alpha", "array", description="The three coefficients of the model.", facts=("Valid if `gnss_1.GalileoIonoCorrectionFlags.ALPHA` of `valid_flags` is set.", "Uncertain: The units."), scalar="double", length=3, valid=("valid_flags.alpha",), flags=(Flag("valid_flags.alpha", "valid_flags", 0x4),)),
-            Parameter("disturbance_flags", "disturbance_flags", "scalar", description="Storm flags of five regions, in bits 1 to 5.", facts=("Valid if `gnss_1.GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set.", "Uncertain: Whether the bits count from 0 or from 1, and which region each stands for."), scalar="u8", valid=("valid_flags.disturbance_flags",), flags=(Flag("valid_flags.disturbance_flags", "valid_flags", 0x8),)),
+            Parameter("disturbance_flags", "disturbance_flags", "scalar", description="Storm flags of five regions, in bits 1 to 5.", facts=("Valid if `gnss_1.GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set.", "Uncertain: Whether the bits count from 0 or from 1, and which region each represents."), scalar="u8", valid=("valid_flags.disturbance_flags",), flags=(Flag("valid_flags.disturbance_flags", "valid_flags", 0x8),)),
             Parameter("valid_flags", "valid_flags", "scalar", description="Which values are valid.", scalar="u16", type=gnss_1.GalileoIonoCorrectionFlags),
         ),
     ),
@@ -986,7 +986,7 @@ TYPES: dict[str, Info] = {
         "gnss_1.beidou_iono_correction", type=gnss_1.BeidouIonoCorrection,
         title="BeiDou ionospheric correction",
         description="Model of the ionosphere that BeiDou broadcasts.",
-        facts=("Also called `beidou_iono_corr`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `beidou_iono_corr`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Beidou Iono Corr (0x81,0x74)",),
         also=("beidou_iono_corr",),
         parameters=(

@@ -43,8 +43,8 @@ TYPES: dict[str, Info] = {
     "GetStatusFlags": FieldInfo(
         "rtk.get_status_flags", type=rtk.GetStatusFlags,
         title="Get status flags",
-        description="Asks for the state of the modem and of the corrections.",
-        facts=("Answered by `rtk.GetStatusFlagsResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`."),
+        description="Gets the state of the modem and of the corrections.",
+        facts=("Answered by `rtk.GetStatusFlagsResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`."),
         sources=("mip-sdk-4: Get Status Flags (0x0F,0x01)",),
         parameters=(
         ),
@@ -52,8 +52,8 @@ TYPES: dict[str, Info] = {
     "GetImei": FieldInfo(
         "rtk.get_imei", type=rtk.GetImei,
         title="Get IMEI",
-        description="Asks for the identity of the modem.",
-        facts=("Answered by `rtk.GetImeiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the identity of the modem.",
+        facts=("Answered by `rtk.GetImeiResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Imei (0x0F,0x02)",),
         parameters=(
         ),
@@ -61,8 +61,8 @@ TYPES: dict[str, Info] = {
     "GetImsi": FieldInfo(
         "rtk.get_imsi", type=rtk.GetImsi,
         title="Get IMSI",
-        description="Asks for the identity of the subscriber.",
-        facts=("Answered by `rtk.GetImsiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the identity of the subscriber.",
+        facts=("Answered by `rtk.GetImsiResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Imsi (0x0F,0x03)",),
         parameters=(
         ),
@@ -70,8 +70,8 @@ TYPES: dict[str, Info] = {
     "GetIccid": FieldInfo(
         "rtk.get_iccid", type=rtk.GetIccid,
         title="Get ICCID",
-        description="Asks for the number of the SIM card.",
-        facts=("Answered by `rtk.GetIccidResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the number of the SIM card.",
+        facts=("Answered by `rtk.GetIccidResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Iccid (0x0F,0x04)",),
         parameters=(
         ),
@@ -79,8 +79,8 @@ TYPES: dict[str, Info] = {
     "GetRssi": FieldInfo(
         "rtk.get_rssi", type=rtk.GetRssi,
         title="Get RSSI",
-        description="Asks for the strength of the cellular signal.",
-        facts=("Answered by `rtk.GetRssiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the strength of the cellular signal.",
+        facts=("Answered by `rtk.GetRssiResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Rssi (0x0F,0x05)",),
         parameters=(
         ),
@@ -89,7 +89,7 @@ TYPES: dict[str, Info] = {
         "rtk.connected_device_type", type=rtk.ConnectedDeviceType,
         title="Connected device type",
         description="The device that the modem serves.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `rtk.ConnectedDeviceTypeResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `rtk.ConnectedDeviceTypeResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Connected Device Type (0x0F,0x06)",),
         functions=("write", "read", "save", "load", "default"),
         parameters=(
@@ -100,8 +100,8 @@ TYPES: dict[str, Info] = {
     "GetActivationCode": FieldInfo(
         "rtk.get_activation_code", type=rtk.GetActivationCode,
         title="Get activation code",
-        description="Asks for the activation code.",
-        facts=("Also called `get_act_code`.", "Answered by `rtk.GetActivationCodeResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the activation code.",
+        facts=("Also called `get_act_code`.", "Answered by `rtk.GetActivationCodeResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Act Code (0x0F,0x07)",),
         also=("get_act_code",),
         parameters=(
@@ -110,8 +110,8 @@ TYPES: dict[str, Info] = {
     "GetModemFirmwareVersion": FieldInfo(
         "rtk.get_modem_firmware_version", type=rtk.GetModemFirmwareVersion,
         title="Get modem firmware version",
-        description="Asks for the firmware version of the cellular modem.",
-        facts=("Answered by `rtk.GetModemFirmwareVersionResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        description="Gets the firmware version of the cellular modem.",
+        facts=("Answered by `rtk.GetModemFirmwareVersionResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)",),
         parameters=(
         ),
@@ -119,8 +119,8 @@ TYPES: dict[str, Info] = {
     "ServiceStatus": FieldInfo(
         "rtk.service_status", type=rtk.ServiceStatus,
         title="Service status",
-        description="Asks a correction server about the connection, and so keeps it open.",
-        facts=("Answered by `rtk.ServiceStatusResponse`.", "The device sends it, and the host answers.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The modem sends it as a host would, and the server answers as a device would."),
+        description="Queries a correction server about the connection, which also keeps it open.",
+        facts=("Answered by `rtk.ServiceStatusResponse`.", "Sent by the device; the host answers.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "The modem sends it as a host would, and the server answers as a device would."),
         sources=("mip-sdk-4: Service Status (0x0F,0x0A)",),
         parameters=(
             Parameter("reserved1", "reserved1", "scalar", facts=("Reserved: send 0.", "Uncertain: What the modem sends; 0 is assumed."), scalar="u32", reserved=True, default=0),
@@ -131,7 +131,7 @@ TYPES: dict[str, Info] = {
         "rtk.erase_storage", type=rtk.EraseStorage,
         title="Erase storage",
         description="Erases a storage medium down to its raw state.",
-        facts=("For advanced use.", "Also called `prod_erase_storage`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "All that is stored is lost. The command is for production.", "Accepted in calibration mode only."),
+        facts=("For advanced use.", "Also called `prod_erase_storage`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "All stored data is lost. The command is for production.", "Accepted in calibration mode only."),
         sources=("mip-sdk-4: Prod Erase Storage (0x0F,0x20)",),
         also=("prod_erase_storage",),
         advanced=True,
@@ -143,7 +143,7 @@ TYPES: dict[str, Info] = {
         "rtk.led_control", type=rtk.LedControl,
         title="LED control",
         description="Colours and pattern of the LED.",
-        facts=("For advanced use.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Accepted in calibration mode and production test mode only."),
+        facts=("For advanced use.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Accepted in calibration mode and production test mode only."),
         sources=("mip-sdk-4: Led Control (0x0F,0x21)",),
         advanced=True,
         parameters=(
@@ -157,7 +157,7 @@ TYPES: dict[str, Info] = {
         "rtk.modem_hard_reset", type=rtk.ModemHardReset,
         title="Modem hard reset",
         description="Clears the flash memory of the modem.",
-        facts=("For advanced use.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "It wears the flash memory out; use it rarely.", "Accepted in calibration mode only."),
+        facts=("For advanced use.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "It wears out the flash memory; use it rarely.", "Accepted in calibration mode only."),
         sources=("mip-sdk-4: Modem Hard Reset (0x0F,0x22)",),
         advanced=True,
         parameters=(
@@ -166,7 +166,7 @@ TYPES: dict[str, Info] = {
     "GetStatusFlagsResponse": FieldInfo(
         "rtk.get_status_flags_response", type=rtk.GetStatusFlagsResponse,
         title="Get status flags response",
-        facts=("Answers `rtk.GetStatusFlags`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.GetStatusFlags`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Status Flags (0x0F,0x01)",),
         parameters=(
             Parameter("flags", "flags", "scalar", description="State of the modem and of the corrections.", scalar="u32", type=types.RtkStatusFlags),
@@ -175,7 +175,7 @@ TYPES: dict[str, Info] = {
     "GetImeiResponse": FieldInfo(
         "rtk.get_imei_response", type=rtk.GetImeiResponse,
         title="Get IMEI response",
-        facts=("Answers `rtk.GetImei`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.GetImei`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Imei (0x0F,0x02)",),
         parameters=(
             Parameter("imei", "imei", "text", description="International mobile equipment identity.", scalar="char", length=32),
@@ -184,7 +184,7 @@ TYPES: dict[str, Info] = {
     "GetImsiResponse": FieldInfo(
         "rtk.get_imsi_response", type=rtk.GetImsiResponse,
         title="Get IMSI response",
-        facts=("Answers `rtk.GetImsi`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.GetImsi`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Imsi (0x0F,0x03)",),
         parameters=(
             Parameter("imsi", "imsi", "text", description="International mobile subscriber identity.", scalar="char", length=32),
@@ -193,7 +193,7 @@ TYPES: dict[str, Info] = {
     "GetIccidResponse": FieldInfo(
         "rtk.get_iccid_response", type=rtk.GetIccidResponse,
         title="Get ICCID response",
-        facts=("Answers `rtk.GetIccid`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.GetIccid`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Iccid (0x0F,0x04)",),
         parameters=(
             Parameter("iccid", "iccid", "text", description="Number of the SIM card.", scalar="char", length=32),
@@ -202,7 +202,7 @@ TYPES: dict[str, Info] = {
     "GetRssiResponse": FieldInfo(
         "rtk.get_rssi_response", type=rtk.GetRssiResponse,
         title="Get RSSI response",
-        facts=("Answers `rtk.GetRssi`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: That `valid` vouches for the other values is inferred."),
+        facts=("Answers `rtk.GetRssi`.", "Known only from the MicroStrain MIP SDK.", "Uncertain: That `valid` applies to the other values is inferred."),
         sources=("mip-sdk-4: Get Rssi (0x0F,0x05)",),
         parameters=(
             Parameter("valid", "valid", "scalar", description="Whether the modem is connected.", scalar="bool"),
@@ -213,7 +213,7 @@ TYPES: dict[str, Info] = {
     "ConnectedDeviceTypeResponse": FieldInfo(
         "rtk.connected_device_type_response", type=rtk.ConnectedDeviceTypeResponse,
         title="Connected device type response",
-        facts=("Answers `rtk.ConnectedDeviceType`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.ConnectedDeviceType`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Connected Device Type (0x0F,0x06)",),
         parameters=(
             Parameter("device_type", "device_type", "scalar", description="Type of the device.", scalar="u8", type=rtk.ConnectedDevice),
@@ -222,7 +222,7 @@ TYPES: dict[str, Info] = {
     "GetActivationCodeResponse": FieldInfo(
         "rtk.get_activation_code_response", type=rtk.GetActivationCodeResponse,
         title="Get activation code response",
-        facts=("Also called `get_act_code_response`.", "Answers `rtk.GetActivationCode`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `get_act_code_response`.", "Answers `rtk.GetActivationCode`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Act Code (0x0F,0x07)",),
         also=("get_act_code_response",),
         parameters=(
@@ -232,7 +232,7 @@ TYPES: dict[str, Info] = {
     "GetModemFirmwareVersionResponse": FieldInfo(
         "rtk.get_modem_firmware_version_response", type=rtk.GetModemFirmwareVersionResponse,
         title="Get modem firmware version response",
-        facts=("Answers `rtk.GetModemFirmwareVersion`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Answers `rtk.GetModemFirmwareVersion`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)",),
         parameters=(
             Parameter("modem_firmware_version", "modem_firmware_version", "text", description="Firmware version.", scalar="char", length=32),
@@ -242,7 +242,7 @@ TYPES: dict[str, Info] = {
         "rtk.service_status_response", type=rtk.ServiceStatusResponse,
         title="Service status response",
         description="What the server knows of the connection.",
-        facts=("Answers `rtk.ServiceStatus`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: What exactly the counters count."),
+        facts=("Answers `rtk.ServiceStatus`.", "Known only from the MicroStrain MIP SDK.", "Uncertain: What the counters count."),
         sources=("mip-sdk-4: Service Status (0x0F,0x0A)",),
         parameters=(
             Parameter("flags", "flags", "scalar", description="State of the service.", scalar="u8", type=rtk.ServiceFlags),

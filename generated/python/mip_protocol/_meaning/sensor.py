@@ -36,7 +36,7 @@ TYPES: dict[str, Info] = {
         "sensor.raw_accel", type=sensor.RawAccel,
         title="Raw accel",
         description="Raw acceleration in counts of the sensor, temperature compensated.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Raw Accel (0x80,0x01)",),
         parameters=(
             Parameter("raw_accel", "raw_accel", "array", description="Acceleration in counts.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor."), scalar="float", elements=("x", "y", "z"), units=("1",), frame="sensor"),
@@ -46,7 +46,7 @@ TYPES: dict[str, Info] = {
         "sensor.raw_gyro", type=sensor.RawGyro,
         title="Raw gyro",
         description="Raw angular rate in counts of the sensor, temperature compensated.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Raw Gyro (0x80,0x02)",),
         parameters=(
             Parameter("raw_gyro", "raw_gyro", "array", description="Angular rate in counts.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: sensor."), scalar="float", elements=("x", "y", "z"), units=("1",), frame="sensor"),
@@ -56,7 +56,7 @@ TYPES: dict[str, Info] = {
         "sensor.raw_mag", type=sensor.RawMag,
         title="Raw mag",
         description="Raw magnetic field in counts of the sensor, temperature compensated.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Raw Mag (0x80,0x03)",),
         parameters=(
             Parameter("raw_mag", "raw_mag", "array", description="Magnetic field in counts.", facts=("Elements: x, y, z.", "Unit: 1.", "Frame: vehicle.", "Uncertain: The frame. The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular rate."), scalar="float", elements=("x", "y", "z"), units=("1",), frame="vehicle"),
@@ -122,7 +122,7 @@ TYPES: dict[str, Info] = {
     "CompOrientationMatrix": FieldInfo(
         "sensor.comp_orientation_matrix", type=sensor.CompOrientationMatrix,
         title="Complementary filter orientation matrix",
-        description="Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.",
+        description="Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "May be supported by 3DM-GX5-35 and 3DM-GX5-45.", "`v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15."),
         sources=("3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)", "3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
@@ -134,7 +134,7 @@ TYPES: dict[str, Info] = {
     "CompQuaternion": FieldInfo(
         "sensor.comp_quaternion", type=sensor.CompQuaternion,
         title="Complementary filter quaternion",
-        description="Attitude by the complementary filter as a quaternion, relative to the NED frame.",
+        description="Attitude from the complementary filter as a quaternion, relative to the NED frame.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "May be supported by 3DM-GX5-35 and 3DM-GX5-45.", "`v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15."),
         sources=("3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)", "3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
@@ -146,10 +146,10 @@ TYPES: dict[str, Info] = {
     "CompOrientationUpdateMatrix": FieldInfo(
         "sensor.comp_orientation_update_matrix", type=sensor.CompOrientationUpdateMatrix,
         title="Complementary filter orientation update matrix",
-        description="Change of the attitude by the complementary filter as a matrix.",
-        facts=("Deprecated: the SDK marks it so and names no replacement.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The interval of the change and the frames. The SDK gives the name only."),
+        description="Change of the attitude from the complementary filter as a matrix.",
+        facts=("Deprecated: the SDK marks it as deprecated and names no replacement.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: The interval of the change and the frames. The SDK gives the name only."),
         sources=("mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)",),
-        deprecated="the SDK marks it so and names no replacement",
+        deprecated="the SDK marks it as deprecated and names no replacement",
         parameters=(
             Parameter("m", "m", "array", description="Matrix in row-major order.", facts=("Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.", "Unit: 1."), scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",)),
         ),
@@ -157,7 +157,7 @@ TYPES: dict[str, Info] = {
     "CompEulerAngles": FieldInfo(
         "sensor.comp_euler_angles", type=sensor.CompEulerAngles,
         title="Complementary filter Euler angles",
-        description="Attitude by the complementary filter as Euler angles, relative to the NED frame.",
+        description="Attitude from the complementary filter as Euler angles, relative to the NED frame.",
         facts=("Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.", "May be supported by 3DM-GX5-35 and 3DM-GX5-45.", "The rotations are in the order yaw, pitch, roll (3-2-1)."),
         sources=("3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)", "3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
@@ -172,21 +172,21 @@ TYPES: dict[str, Info] = {
         "sensor.orientation_raw_temperature", type=sensor.OrientationRawTemperature,
         title="Orientation raw temperatures",
         description="Raw readings of four temperature sensors.",
-        facts=("Deprecated: the SDK marks it so and names no replacement.", "Also called `orientation_raw_temp`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Deprecated: the SDK marks it as deprecated and names no replacement.", "Also called `orientation_raw_temp`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Orientation Raw Temp (0x80,0x0D)",),
         also=("orientation_raw_temp",),
-        deprecated="the SDK marks it so and names no replacement",
+        deprecated="the SDK marks it as deprecated and names no replacement",
         parameters=(
-            Parameter("raw_temperature", "raw_temperature", "array", description="Temperatures in counts.", facts=("Unit: 1.", "Uncertain: The scale.", "Uncertain: and which sensor is which."), scalar="u16", length=4, units=("1",)),
+            Parameter("raw_temperature", "raw_temperature", "array", description="Temperatures in counts.", facts=("Unit: 1.", "Uncertain: The scale, and which sensor is which."), scalar="u16", length=4, units=("1",)),
         ),
     ),
     "InternalTimestamp": FieldInfo(
         "sensor.internal_timestamp", type=sensor.InternalTimestamp,
         title="Internal timestamp",
         description="Free-running counter of the device.",
-        facts=("Deprecated: the SDK marks it so and names no replacement.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Deprecated: the SDK marks it as deprecated and names no replacement.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Internal Timestamp (0x80,0x0E)",),
-        deprecated="the SDK marks it so and names no replacement",
+        deprecated="the SDK marks it as deprecated and names no replacement",
         parameters=(
             Parameter("counts", "counts", "scalar", description="Counter.", facts=("Unit: 1.", "Uncertain: The period of one count."), scalar="u32", units=("1",)),
         ),
@@ -194,10 +194,10 @@ TYPES: dict[str, Info] = {
     "PpsTimestamp": FieldInfo(
         "sensor.pps_timestamp", type=sensor.PpsTimestamp,
         title="PPS timestamp",
-        description="Time that is counted with the pulse per second.",
-        facts=("Deprecated: the SDK marks it so and names no replacement.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The epoch."),
+        description="Time counted by the pulse per second.",
+        facts=("Deprecated: the SDK marks it as deprecated and names no replacement.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: The epoch."),
         sources=("mip-sdk-4: Pps Timestamp (0x80,0x0F)",),
-        deprecated="the SDK marks it so and names no replacement",
+        deprecated="the SDK marks it as deprecated and names no replacement",
         parameters=(
             Parameter("seconds", "seconds", "scalar", description="Whole seconds.", facts=("Unit: s.", "Uncertain: The unit; it follows from the name."), scalar="u32", units=("s",)),
             Parameter("useconds", "useconds", "scalar", description="Fraction of the second.", facts=("Unit: us.", "Uncertain: The unit; it follows from the name."), scalar="u32", units=("us",)),
@@ -231,7 +231,7 @@ TYPES: dict[str, Info] = {
         "sensor.gps_timestamp", type=sensor.GpsTimestamp,
         title="GPS timestamp",
         description="GPS time of the sensor data.",
-        facts=("Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "Without a PPS the time runs on the internal clock and jumps when the PPS comes back.", "The fraction of the time of week is the time since the last pulse.", "Without external synchronization it is the internal system time.", "Where the device has it, use `shared.GpsTimestamp` instead; this field may be deprecated."),
+        facts=("Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "Without a PPS the time runs on the internal clock and jumps when the PPS returns.", "The fraction of the time of week is the time since the last pulse.", "Without external synchronization it is the internal system time.", "Where the device has it, use `shared.GpsTimestamp` instead; this field may be deprecated."),
         sources=("3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)", "3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)"),
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-35"),
         perhaps=("3dm-gx5-45",),
@@ -259,7 +259,7 @@ TYPES: dict[str, Info] = {
         "sensor.raw_pressure", type=sensor.RawPressure,
         title="Raw pressure",
         description="Raw ambient pressure in counts of the sensor, temperature compensated.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Raw Pressure (0x80,0x16)",),
         parameters=(
             Parameter("raw_pressure", "raw_pressure", "scalar", description="Pressure in counts.", facts=("Unit: 1.",), scalar="float", units=("1",)),
@@ -291,7 +291,7 @@ TYPES: dict[str, Info] = {
     "Odometer": FieldInfo(
         "sensor.odometer", type=sensor.Odometer,
         title="Odometer data",
-        description="Speed by the wheel encoder.",
+        description="Speed measured by the wheel encoder.",
         facts=("Also called `odometer_data`.", "Supported by 3DM-CV7-GNSS/INS."),
         sources=("3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)",),
         also=("odometer_data",),

@@ -7,7 +7,7 @@ from ..info import BitInfo, BitsInfo, FieldInfo, Info, SetInfo
 from ..parameter import Flag, Parameter
 
 # fmt: off
-SET = SetInfo("shared", number=0xFF, title="Shared data", description="Fields that every data set can hold. No packet has this set: they come in packets of the other data sets.", sources=("3dm-cv7-gnss-ins: Shared (0xFF)", "3dm-cv7-gnss-ins: Shared Data Descriptors"))
+SET = SetInfo("shared", number=0xFF, title="Shared data", description="Fields that every data set can contain. No packet has this descriptor set: the fields are sent in packets of the other data sets.", sources=("3dm-cv7-gnss-ins: Shared (0xFF)", "3dm-cv7-gnss-ins: Shared Data Descriptors"))
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
@@ -35,7 +35,7 @@ TYPES: dict[str, Info] = {
         "shared.event_source", type=shared.EventSource,
         title="Event source",
         description="The event trigger that caused the packet.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "Put it first in the format of event messages, to tell their packets from scheduled ones."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "Put it first in the format of event messages, to distinguish their packets from scheduled ones."),
         sources=("3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
@@ -46,7 +46,7 @@ TYPES: dict[str, Info] = {
         "shared.ticks", type=shared.Ticks,
         title="Ticks",
         description="Base periods since power-up.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "One tick is one period of the base rate.", "Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would take longer or shorter."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "One tick is one period of the base rate.", "Uncertain: According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would take longer or shorter."),
         sources=("mip-sdk-4: Ticks (0xFF,0xD1)",),
         parameters=(
             Parameter("ticks", "ticks", "scalar", description="Ticks.", facts=("Unit: 1.",), scalar="u32", units=("1",)),
@@ -56,7 +56,7 @@ TYPES: dict[str, Info] = {
         "shared.delta_ticks", type=shared.DeltaTicks,
         title="Delta ticks",
         description="Base periods since this field was last sent.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "One tick is one period of the base rate.", "Uncertain: Whether each set and each event instance counts for itself, as with `shared.DeltaTime`."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "One tick is one period of the base rate.", "Uncertain: Whether each set and each event instance counts separately, as with `shared.DeltaTime`."),
         sources=("mip-sdk-4: Delta Ticks (0xFF,0xD2)",),
         parameters=(
             Parameter("ticks", "ticks", "scalar", description="Ticks.", facts=("Unit: 1.",), scalar="u32", units=("1",)),
@@ -66,7 +66,7 @@ TYPES: dict[str, Info] = {
         "shared.gps_timestamp", type=shared.GpsTimestamp,
         title="GPS timestamp",
         description="External time of the data as GPS time of week and week number.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "In event messages it is the time of the trigger.", "It becomes valid after the PPS is locked and `base.GpsTimeUpdate` has set the time of week and the week number.", "With an internal GNSS receiver as PPS source, the device sets the time by itself in most cases.", "With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are 18 s since 2017. `base.GpsTimeUpdate` sets GPS time."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "In event messages it is the time of the trigger.", "It becomes valid after the PPS is locked and `base.GpsTimeUpdate` has set the time of week and the week number.", "With an internal GNSS receiver as PPS source, the device usually sets the time itself.", "With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are 18 s since 2017. `base.GpsTimeUpdate` sets GPS time."),
         sources=("3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)", "3dm-cv7-gnss-ins: Configure the External GNSS Receiver", "3dm-cv7-gnss-ins: RECEIVER Source"),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(

@@ -7,7 +7,7 @@ from ..info import BitInfo, BitsInfo, EnumInfo, FieldInfo, Info, SetInfo, ValueI
 from ..parameter import Parameter, Variant
 
 # fmt: off
-SET = SetInfo("system", number=0x7F, title="System", description="Advanced commands of devices that are built from several intelligent parts.", sources=("3dm-gx5-15: 4.4 System Commands",))
+SET = SetInfo("system", number=0x7F, title="System", description="Advanced commands of devices that consist of several intelligent parts.", sources=("3dm-gx5-15: 4.4 System Commands",))
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
@@ -33,32 +33,32 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "ProtocolMode": EnumInfo(
-        "system.protocol_mode", type=system.ProtocolMode, description="Which part of the device the host talks to, and in which protocol.",
+        "system.protocol_mode", type=system.ProtocolMode, description="Which part of the device the host communicates with, and by which protocol.",
         values=(
             ValueInfo("standard", value=1, description="The device itself, MIP."),
-            ValueInfo("sensor_direct", value=2, description="The inertial sensor inside, MIP."),
-            ValueInfo("gnss_direct", value=3, description="The GNSS receiver inside, NMEA and UBX; only on models that have one."),
+            ValueInfo("sensor_direct", value=2, description="The internal inertial sensor, MIP."),
+            ValueInfo("gnss_direct", value=3, description="The internal GNSS receiver, NMEA and UBX; only on models that have one."),
         ),
     ),
     "InterfaceControl": FieldInfo(
         "system.interface_control", type=system.InterfaceControl,
         title="Interface control",
-        description="Protocols that a port takes in and gives out.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `system.InterfaceControlResponse`.", "May be supported by 3DM-CV7-GNSS/INS.", "Accepted on the main port only. The main port always keeps MIP in both directions.", "The acknowledge comes on that port after the change; what arrives meanwhile may be lost.", "The device refuses protocols that it or the port does not have, and more parsers than it has; then nothing is changed.", "Answers in an incoming protocol leave by the same port, even if the protocol is not an outgoing one.", "How many parsers and streams there are depends on the device."),
+        description="Protocols that a port receives and sends.",
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `system.InterfaceControlResponse`.", "May be supported by 3DM-CV7-GNSS/INS.", "Accepted on the main port only. The main port always keeps MIP in both directions.", "The acknowledge comes on that port after the change; what arrives meanwhile may be lost.", "The device refuses protocols that it or the port does not have, and more parsers than it has; then nothing is changed.", "Answers to an incoming protocol are sent on the same port, even if the protocol is not an outgoing one.", "How many parsers and streams there are depends on the device."),
         sources=("mip-sdk-4: Interface Control (0x7F,0x02)", "3dm-cv7-gnss-ins: Ports"),
         functions=("write", "read", "save", "load", "default"),
         perhaps=("3dm-cv7-gnss-ins",),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read take `all`.",), scalar="u8", required=("write", "read", "save", "load", "default"), type=system.CommInterface),
-            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it takes in.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
-            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it gives out.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", required=("write", "read", "save", "load", "default"), type=system.CommInterface),
+            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it receives.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
+            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it sends.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
         ),
     ),
     "CommMode": FieldInfo(
         "system.comm_mode", type=system.CommMode,
         title="Communication mode",
-        description="Switches the port between the device and one of the sensors inside it.",
+        description="Switches the port between the device and one of its internal sensors.",
         facts=("For advanced use.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `system.CommModeResponse`.", "Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.", "The acknowledge is sent in the old mode, just before the switch.", "In a direct mode only this command and `mip_3dm.DeviceStatus` of the device itself are answered."),
         sources=("3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)",),
         functions=("write", "read", "save", "load", "default"),
@@ -76,9 +76,9 @@ TYPES: dict[str, Info] = {
         sources=("mip-sdk-4: Interface Control (0x7F,0x02)", "3dm-cv7-gnss-ins: Ports"),
         perhaps=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read take `all`.",), scalar="u8", type=system.CommInterface),
-            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it takes in.", scalar="u32", type=system.CommProtocols),
-            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it gives out.", scalar="u32", type=system.CommProtocols),
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", type=system.CommInterface),
+            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it receives.", scalar="u32", type=system.CommProtocols),
+            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it sends.", scalar="u32", type=system.CommProtocols),
         ),
     ),
     "CommModeResponse": FieldInfo(

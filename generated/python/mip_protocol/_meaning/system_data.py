@@ -47,7 +47,7 @@ TYPES: dict[str, Info] = {
         "system_data.gpio_state", type=system_data.GpioState,
         title="GPIO state",
         description="Levels of all user GPIO pins.",
-        facts=("Supported by 3DM-CV7-GNSS/INS.", "A pulse that is shorter than the period at which the field is sent is missed.", "The pins are sampled within one base period of this set.", "Only pins that are configured to the GPIO feature by `mip_3dm.GpioConfig` are sure to give valid levels.", "For fast signals and exact times use the timestamp feature and the event system."),
+        facts=("Supported by 3DM-CV7-GNSS/INS.", "A pulse that is shorter than the period at which the field is sent is missed.", "The pins are sampled within one base period of this set.", "Levels are guaranteed to be valid only for pins that `mip_3dm.GpioConfig` configures for the GPIO feature.", "For fast signals and exact times use the timestamp feature and the event system."),
         sources=("3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
@@ -58,7 +58,7 @@ TYPES: dict[str, Info] = {
         "system_data.gpio_analog_value", type=system_data.GpioAnalogValue,
         title="GPIO analog value",
         description="Voltage at one GPIO pin.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Only for pins that are configured as analog inputs."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Only for pins that are configured as analog inputs."),
         sources=("mip-sdk-4: Gpio Analog Value (0xA0,0x04)",),
         parameters=(
             Parameter("gpio_id", "gpio_id", "scalar", description="GPIO pin, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),

@@ -1314,7 +1314,7 @@ VALUES["gnss_corrections.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_c
 VALUES["gnss_external.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
 VALUES["gnss_external_2.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
 
-#: Commands -> what they do beside keeping a setting.
+#: Commands -> what they do besides storing a setting.
 COMMANDS: dict[str, Behavior] = {
     "base.set_idle": Behavior(effect="idle"),
     "base.resume": Behavior(effect="resume"),

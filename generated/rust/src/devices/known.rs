@@ -49,9 +49,9 @@ pub static ALL: &[&Device] = &[
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does
-/// not list it among the devices with streams or a device status.
+/// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices with streams or a device status.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -64,14 +64,14 @@ pub static CL5_10: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
     },
     base_rates: &[
     ],
@@ -89,14 +89,14 @@ pub static CL5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -109,19 +109,19 @@ pub static CL5_15: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -164,14 +164,14 @@ pub static CL5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -184,18 +184,18 @@ pub static CL5_25: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -233,14 +233,14 @@ pub static CL5_25: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -254,17 +254,17 @@ pub static CV5_10: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -297,14 +297,14 @@ pub static CV5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -317,19 +317,19 @@ pub static CV5_15: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -372,14 +372,14 @@ pub static CV5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -392,18 +392,18 @@ pub static CV5_25: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -442,19 +442,19 @@ pub static CV5_25: Device = Device {
 /// Attitude and heading reference system.
 ///
 /// Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
-/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
 /// known, so it has more commands and data. This profile is incomplete: The limits are those of
-/// firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
-/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) only; the manual
-/// has `wmm` too.
+/// firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and `manual` of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the manual also
+/// has `wmm`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Anti-aliasing low-pass filter
 ///
-/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
-/// 1.0.07 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
-/// for sensor data only.
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Firmware up to
+/// 1.0.07 has [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) instead, for sensor
+/// data only.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -468,7 +468,8 @@ pub static CV5_25: Device = Device {
 ///
 /// # GPIO pins
 ///
-/// By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.
+/// According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or
+/// timestamp events.
 #[rustfmt::skip]
 pub static CV7_AHRS: Device = Device {
     id: "3dm-cv7-ahrs",
@@ -479,28 +480,28 @@ pub static CV7_AHRS: Device = Device {
     generation: Some(7),
     manual: Some("3dm-cv7"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The limits are those of firmware 1.0.04 and later.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x39 "3dm.capture_gyro_bias" [] None;
         0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
         0x0D 0x01 "filter.reset" [] None;
         0x0D 0x03 "filter.set_initial_heading" [] None;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] None;
         0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] None;
         0x13 0x31 "aiding.true_heading" [] None;
@@ -526,7 +527,7 @@ pub static CV7_AHRS: Device = Device {
             name: "event_triggers",
             value: 12.0,
             unit: None,
-            description: "Triggers in all.",
+            description: "Total number of triggers.",
         },
         Limit {
             name: "event_gpio_triggers",
@@ -574,19 +575,19 @@ pub static CV7_AHRS: Device = Device {
 /// Attitude reference.
 ///
 /// Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
-/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
 /// known, so it has more commands and data. This profile is incomplete: The limits are those of
-/// firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
-/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) only; the manual
-/// has `wmm` too.
+/// firmware 1.0.04 and later. Uncertain: MSCL offers only the values `none` and `manual` of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the manual also
+/// has `wmm`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Anti-aliasing low-pass filter
 ///
-/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
-/// 1.0.07 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
-/// for sensor data only.
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Firmware up to
+/// 1.0.07 has [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) instead, for sensor
+/// data only.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -600,7 +601,8 @@ pub static CV7_AHRS: Device = Device {
 ///
 /// # GPIO pins
 ///
-/// By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.
+/// According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or
+/// timestamp events.
 #[rustfmt::skip]
 pub static CV7_AR: Device = Device {
     id: "3dm-cv7-ar",
@@ -611,28 +613,28 @@ pub static CV7_AR: Device = Device {
     generation: Some(7),
     manual: Some("3dm-cv7"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The limits are those of firmware 1.0.04 and later.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x39 "3dm.capture_gyro_bias" [] None;
         0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
         0x0D 0x01 "filter.reset" [] None;
         0x0D 0x03 "filter.set_initial_heading" [] None;
         0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] None;
         0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] None;
         0x13 0x31 "aiding.true_heading" [] None;
@@ -658,7 +660,7 @@ pub static CV7_AR: Device = Device {
             name: "event_triggers",
             value: 12.0,
             unit: None,
-            description: "Triggers in all.",
+            description: "Total number of triggers.",
         },
         Limit {
             name: "event_gpio_triggers",
@@ -714,7 +716,7 @@ pub static CV7_AR: Device = Device {
 ///
 /// The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always enabled on
 /// it. The others must be enabled first. All ports stream the same data; replies to polls go to the
-/// port that asked.
+/// port that sent the poll.
 ///
 /// | Port | Id | Pins |
 /// | --- | --- | --- |
@@ -793,9 +795,10 @@ pub static CV7_AR: Device = Device {
 ///
 /// # NMEA input
 ///
-/// Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV.
-/// They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is set to
-/// receive, by that one only. An epoch is processed when a sentence with another time arrives.
+/// Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and
+/// GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is
+/// configured to receive, on that one only. An epoch is processed when a sentence with another time
+/// arrives.
 ///
 /// # RTCM input
 ///
@@ -814,8 +817,8 @@ pub static CV7_AR: Device = Device {
 ///
 /// # GNSS signals
 ///
-/// GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be
-/// enabled together by [`gnss::SignalConfig`](crate::gnss::SignalConfig).
+/// Signals that can be enabled together by [`gnss::SignalConfig`](crate::gnss::SignalConfig). GPS
+/// or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused.
 ///
 /// | Constellation | Choices |
 /// | --- | --- |
@@ -826,9 +829,10 @@ pub static CV7_AR: Device = Device {
 ///
 /// # Sensor ranges
 ///
-/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual prints them for
-/// sister models and cuts the gyroscope column off; ask the device by
-/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges).
+/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual gives them for
+/// related models, and its gyroscope column is cut off;
+/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges) returns those
+/// of the device.
 ///
 /// | Sensor | Setting | Range |
 /// | --- | --- | --- |
@@ -839,8 +843,8 @@ pub static CV7_AR: Device = Device {
 ///
 /// # Pulse per second
 ///
-/// Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a duty
-/// cycle of 50 % and its rising edge begins the second.
+/// Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a duty
+/// cycle of 50 %; each second begins at its rising edge.
 #[rustfmt::skip]
 pub static CV7_GNSS_INS: Device = Device {
     id: "3dm-cv7-gnss-ins",
@@ -934,7 +938,7 @@ pub static CV7_GNSS_INS: Device = Device {
         0x13 0x31 "aiding.true_heading" [] None;
         0x13 0x32 "aiding.magnetic_field" [] None;
         0x13 0x33 "aiding.pressure" [] None;
-        0x7F 0x02 "system.interface_control" [WRITE READ SAVE LOAD DEFAULT] Some("The page on ports of the manual names it, but the list of commands does not.");
+        0x7F 0x02 "system.interface_control" [WRITE READ SAVE LOAD DEFAULT] Some("The page on ports in the manual names it, but the list of commands does not.");
         0x80 0x04 "sensor.scaled_accel" [] None;
         0x80 0x05 "sensor.scaled_gyro" [] None;
         0x80 0x06 "sensor.scaled_mag" [] None;
@@ -1089,7 +1093,7 @@ pub static CV7_GNSS_INS: Device = Device {
             name: "event_triggers",
             value: 12.0,
             unit: None,
-            description: "Triggers in all.",
+            description: "Total number of triggers.",
         },
         Limit {
             name: "event_gpio_triggers",
@@ -1113,7 +1117,7 @@ pub static CV7_GNSS_INS: Device = Device {
             name: "event_actions",
             value: 12.0,
             unit: None,
-            description: "Actions in all.",
+            description: "Total number of actions.",
         },
         Limit {
             name: "event_gpio_actions",
@@ -1203,25 +1207,25 @@ pub static CV7_GNSS_INS: Device = Device {
             name: "save_time",
             value: 1.0,
             unit: Some("s"),
-            description: "Time that a save of all settings may take.",
+            description: "Time that saving all settings may take.",
         },
         Limit {
             name: "motion_latency",
             value: 1.9,
             unit: Some("ms"),
-            description: "Typical time from a motion to the message that reports it, without its transmission.",
+            description: "Typical time from a motion to the message that reports it, not including transmission.",
         },
         Limit {
             name: "timestamp_repeatability",
             value: 1.0,
             unit: Some("us"),
-            description: "Bound of the typical variation of sensor timestamps by internal processing.",
+            description: "Upper bound of the typical variation of sensor timestamps due to internal processing.",
         },
         Limit {
             name: "gpio_timestamp_accuracy",
             value: 1.0,
             unit: Some("us"),
-            description: "Bound of the typical error of GPIO timestamps, which is far smaller.",
+            description: "Upper bound of the error of GPIO timestamps; the error is far smaller.",
         },
         Limit {
             name: "antenna_offset_error",
@@ -1283,10 +1287,10 @@ pub static CV7_GNSS_INS: Device = Device {
 /// Inertial navigation system without a GNSS receiver of its own.
 ///
 /// Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
-/// from single pages. This profile is incomplete: Only single pages of the manual are known, so it
-/// has more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94,
-/// 0x95, 0xA0 and 0xFF. Uncertain: The set 0x95 is named by a test site of the vendor only.
-/// Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+/// from some pages. This profile is incomplete: Only some pages of the manual are known, so it has
+/// more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95,
+/// 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the set 0x95. Uncertain: The base
+/// rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -1299,15 +1303,15 @@ pub static CV7_INS: Device = Device {
     generation: Some(7),
     manual: Some("3dm-cv7-ins"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
         0x94 0x03 "gnss_external.llh_position" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
@@ -1345,14 +1349,14 @@ pub static CV7_INS: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -1366,17 +1370,17 @@ pub static CX5_10: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -1409,15 +1413,15 @@ pub static CX5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does
-/// not list it among those for which it limits the choices of the filter.
+/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices for which it limits the choices of the filter.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -1430,17 +1434,17 @@ pub static CX5_15: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -1473,15 +1477,15 @@ pub static CX5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL
-/// does not list it among those for which it limits the choices of the filter.
+/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices for which it limits the choices of the filter.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -1494,16 +1498,16 @@ pub static CX5_25: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -1531,14 +1535,14 @@ pub static CX5_25: Device = Device {
 ///
 /// Attitude and heading reference with GNSS.
 ///
-/// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
+/// is incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -1551,16 +1555,16 @@ pub static CX5_35: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -1588,14 +1592,14 @@ pub static CX5_35: Device = Device {
 ///
 /// Inertial navigation system with GNSS.
 ///
-/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual is known. This profile
+/// is incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -1608,16 +1612,16 @@ pub static CX5_45: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -1643,31 +1647,31 @@ pub static CX5_45: Device = Device {
 
 /// 3DM-DH3
 ///
-/// Device of generation 3, known by its name and its number.
+/// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 3. Model number 6219. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static DH3: Device = Device {
     id: "3dm-dh3",
     title: "3DM-DH3",
-    description: "Device of generation 3, known by its name and its number.",
+    description: "Device of generation 3, known only by its name and its number.",
     also: &[],
     model_number: Some(6219),
     generation: Some(3),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -1696,16 +1700,16 @@ pub static DH3: Device = Device {
 /// Tactical grade inertial navigation system with GNSS.
 ///
 /// Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
-/// September 26, 2015, known from its contents. This profile is incomplete: The contents of the
-/// manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.
-/// This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is
-/// known. Uncertain: It may take raw RTCM by a command of which the layout is not known.
+/// September 26, 2015, known from its table of contents. This profile is incomplete: The table of
+/// contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and
+/// `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of
+/// whose fields is known. Uncertain: It may accept raw RTCM by a command whose layout is not known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGq4_45Response`](crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response).
 #[rustfmt::skip]
@@ -1718,8 +1722,8 @@ pub static GQ4_45: Device = Device {
     generation: Some(4),
     manual: Some("3dm-gq4-45"),
     incomplete: &[
-        "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] None;
@@ -1753,10 +1757,10 @@ pub static GQ4_45: Device = Device {
         0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x64 "3dm.device_status" [] None;
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -1768,7 +1772,7 @@ pub static GQ4_45: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -1810,20 +1814,20 @@ pub static GQ4_45: Device = Device {
 /// Inertial navigation system with two GNSS receivers.
 ///
 /// Also called 3DM-GQ7. Generation 7. Model number 6284. Manual: MicroStrain 3DM-GQ7 Documentation,
-/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
 /// known, so it has more commands and data. This profile is incomplete: The baud rates of the Aux
 /// port are not known, nor all of its protocols. Uncertain: The values of
 /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) are those that
-/// MSCL offers. Uncertain: By MSCL, firmware from 1.0 on and below 1.1 has only the values
+/// MSCL offers. Uncertain: According to MSCL, firmware from 1.0 to below 1.1 has only the values
 /// `all_internal` and `external` of [`filter::GnssSource`](crate::filter::GnssSource).
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Anti-aliasing low-pass filter
 ///
-/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
-/// 1.0.10 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
-/// for sensor data only.
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Firmware up to
+/// 1.0.10 has [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) instead, for sensor
+/// data only.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -1837,11 +1841,11 @@ pub static GQ4_45: Device = Device {
 ///
 /// # Firmware
 ///
-/// The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.
+/// The system data set 0xA0 and NMEA on the main port require firmware later than 1.0.10.
 ///
 /// # GPIO pins
 ///
-/// Features of each pin, by MSCL.
+/// Features of each pin, according to MSCL.
 ///
 /// | Pin | Features |
 /// | --- | --- |
@@ -1863,21 +1867,21 @@ pub static GQ7: Device = Device {
     generation: Some(7),
     manual: Some("3dm-gq7"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
         "The baud rates of the Aux port are not known, nor all of its protocols.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
         0x0C 0x04 "3dm.poll_nmea_data" [] None;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x39 "3dm.capture_gyro_bias" [] None;
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says which filter command each firmware version has.");
         0x0D 0x05 "filter.run" [] None;
         0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -1928,8 +1932,8 @@ pub static GQ7: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -1942,14 +1946,14 @@ pub static GV7_AHRS: Device = Device {
     generation: Some(7),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
     },
     base_rates: &[
     ],
@@ -1967,8 +1971,8 @@ pub static GV7_AHRS: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -1981,14 +1985,14 @@ pub static GV7_AR: Device = Device {
     generation: Some(7),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
     },
     base_rates: &[
     ],
@@ -2006,8 +2010,8 @@ pub static GV7_AR: Device = Device {
 ///
 /// Inertial navigation system.
 ///
-/// Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2020,14 +2024,14 @@ pub static GV7_INS: Device = Device {
     generation: Some(7),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
     },
     base_rates: &[
     ],
@@ -2043,31 +2047,31 @@ pub static GV7_INS: Device = Device {
 
 /// 3DM-GX3-15
 ///
-/// Device of generation 3, known by its name and its number.
+/// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 3. Model number 6227. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static GX3_15: Device = Device {
     id: "3dm-gx3-15",
     title: "3DM-GX3-15",
-    description: "Device of generation 3, known by its name and its number.",
+    description: "Device of generation 3, known only by its name and its number.",
     also: &[],
     model_number: Some(6227),
     generation: Some(3),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2093,31 +2097,31 @@ pub static GX3_15: Device = Device {
 
 /// 3DM-GX3-25
 ///
-/// Device of generation 3, known by its name and its number.
+/// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 3. Model number 6223. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static GX3_25: Device = Device {
     id: "3dm-gx3-25",
     title: "3DM-GX3-25",
-    description: "Device of generation 3, known by its name and its number.",
+    description: "Device of generation 3, known only by its name and its number.",
     also: &[],
     model_number: Some(6223),
     generation: Some(3),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2143,31 +2147,31 @@ pub static GX3_25: Device = Device {
 
 /// 3DM-GX3-35
 ///
-/// Device of generation 3, known by its name and its number.
+/// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static GX3_35: Device = Device {
     id: "3dm-gx3-35",
     title: "3DM-GX3-35",
-    description: "Device of generation 3, known by its name and its number.",
+    description: "Device of generation 3, known only by its name and its number.",
     also: &[],
     model_number: Some(6225),
     generation: Some(3),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2193,36 +2197,36 @@ pub static GX3_35: Device = Device {
 
 /// 3DM-GX3-45
 ///
-/// Device of generation 3, known by its name and its number.
+/// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static GX3_45: Device = Device {
     id: "3dm-gx3-45",
     title: "3DM-GX3-45",
-    description: "Device of generation 3, known by its name and its number.",
+    description: "Device of generation 3, known only by its name and its number.",
     also: &[],
     model_number: Some(6228),
     generation: Some(3),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2273,16 +2277,16 @@ pub static GX3_45: Device = Device {
 
 /// 3DM-GX4-15
 ///
-/// Device of generation 4, known by its name and its number.
+/// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
@@ -2290,25 +2294,25 @@ pub static GX3_45: Device = Device {
 pub static GX4_15: Device = Device {
     id: "3dm-gx4-15",
     title: "3DM-GX4-15",
-    description: "Device of generation 4, known by its name and its number.",
+    description: "Device of generation 4, known only by its name and its number.",
     also: &[],
     model_number: Some(6233),
     generation: Some(4),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2349,16 +2353,16 @@ pub static GX4_15: Device = Device {
 
 /// 3DM-GX4-25
 ///
-/// Device of generation 4, known by its name and its number.
+/// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 4. Model number 6234. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
@@ -2366,26 +2370,26 @@ pub static GX4_15: Device = Device {
 pub static GX4_25: Device = Device {
     id: "3dm-gx4-25",
     title: "3DM-GX4-25",
-    description: "Device of generation 4, known by its name and its number.",
+    description: "Device of generation 4, known only by its name and its number.",
     also: &[],
     model_number: Some(6234),
     generation: Some(4),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2431,42 +2435,42 @@ pub static GX4_25: Device = Device {
 
 /// 3DM-GX4-45
 ///
-/// Device of generation 4, known by its name and its number.
+/// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
 pub static GX4_45: Device = Device {
     id: "3dm-gx4-45",
     title: "3DM-GX4-45",
-    description: "Device of generation 4, known by its name and its number.",
+    description: "Device of generation 4, known only by its name and its number.",
     also: &[],
     model_number: Some(6236),
     generation: Some(4),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2514,14 +2518,14 @@ pub static GX4_45: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -2535,17 +2539,17 @@ pub static GX5_10: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
     },
     base_rates: &[
     ],
@@ -2590,10 +2594,10 @@ pub static GX5_10: Device = Device {
 ///
 /// # Frame of the sensor data
 ///
-/// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) turns
+/// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) rotates
 /// scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of
 /// the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor
-/// frame. It does not turn the outputs of the complementary filter.
+/// frame. It does not rotate the outputs of the complementary filter.
 ///
 /// # Low-pass filter
 ///
@@ -2607,7 +2611,7 @@ pub static GX5_10: Device = Device {
 ///
 /// # UART
 ///
-/// The default baud rate is 115200. There is no handshake; data that do not fit are dropped.
+/// The default baud rate is 115200. There is no handshake; data that does not fit is dropped.
 ///
 /// # Time synchronization
 ///
@@ -2617,9 +2621,9 @@ pub static GX5_10: Device = Device {
 ///
 /// # Direct mode
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inertial sensor inside.
-/// Only that command and [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) stay available
-/// meanwhile.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor.
+/// Meanwhile, only that command and [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) are
+/// available.
 #[rustfmt::skip]
 pub static GX5_15: Device = Device {
     id: "3dm-gx5-15",
@@ -2861,14 +2865,14 @@ pub static GX5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -2881,18 +2885,18 @@ pub static GX5_25: Device = Device {
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL requests it from this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -2931,15 +2935,15 @@ pub static GX5_25: Device = Device {
 /// Attitude and heading reference with GNSS.
 ///
 /// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
-/// Manual, revision unknown, known from single pages. This profile is incomplete: Only single pages
-/// of the manual are known, so it has more commands and data. Uncertain: The base rates are those
-/// that the manual gives for all 3DM-GX5.
+/// Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
+/// the manual are known, so it has more commands and data. Uncertain: The base rates are those that
+/// the manual gives for all 3DM-GX5.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Receiver
 ///
-/// The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.
+/// The GNSS receiver is a u-blox M8M. GLONASS and BeiDou cannot be used together.
 ///
 /// # Streams
 ///
@@ -2961,21 +2965,21 @@ pub static GX5_35: Device = Device {
     generation: Some(5),
     manual: Some("3dm-gx5-35"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
+        "Only some pages of the manual are known, so it has more commands and data.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] None;
-        0x01 0x02 "base.set_idle" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x02 "base.set_idle" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x01 0x03 "base.get_device_info" [] None;
         0x01 0x04 "base.get_device_descriptors" [] None;
-        0x01 0x05 "base.built_in_test" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x06 "base.resume" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x05 "base.built_in_test" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x06 "base.resume" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x01 0x07 "base.get_extended_descriptors" [] None;
         0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] None;
-        0x01 0x7E "base.soft_reset" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x7E "base.soft_reset" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x01 "3dm.poll_imu_data" [] None;
-        0x0C 0x02 "3dm.poll_gnss_data" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x06 "3dm.get_imu_base_rate" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x02 "3dm.poll_gnss_data" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x06 "3dm.get_imu_base_rate" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -2986,13 +2990,13 @@ pub static GX5_35: Device = Device {
         0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] None;
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
         0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x39 "3dm.capture_gyro_bias" [] None;
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x64 "3dm.device_status" [] None;
         0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -3000,27 +3004,27 @@ pub static GX5_35: Device = Device {
         0x80 0x05 "sensor.scaled_gyro" [] None;
         0x80 0x06 "sensor.scaled_mag" [] None;
         0x80 0x07 "sensor.delta_theta" [] None;
-        0x80 0x08 "sensor.delta_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x0A "sensor.comp_quaternion" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x0C "sensor.comp_euler_angles" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x10 "sensor.north_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x08 "sensor.delta_velocity" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x0A "sensor.comp_quaternion" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x0C "sensor.comp_euler_angles" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x10 "sensor.north_vector" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x80 0x11 "sensor.up_vector" [] None;
         0x80 0x12 "sensor.gps_timestamp" [] None;
         0x80 0x17 "sensor.scaled_pressure" [] None;
-        0x81 0x03 "gnss_data.llh_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x04 "gnss_data.ecef_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x05 "gnss_data.ned_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x03 "gnss_data.llh_position" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x04 "gnss_data.ecef_position" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x05 "gnss_data.ned_velocity" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x81 0x06 "gnss_data.ecef_velocity" [] None;
-        0x81 0x07 "gnss_data.dop" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x08 "gnss_data.utc_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x09 "gnss_data.gps_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0A "gnss_data.clock_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0B "gnss_data.fix_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0C "gnss_data.sv_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0D "gnss_data.hardware_status" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x07 "gnss_data.dop" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x08 "gnss_data.utc_time" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x09 "gnss_data.gps_time" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0A "gnss_data.clock_info" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0B "gnss_data.fix_info" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0C "gnss_data.sv_info" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0D "gnss_data.hardware_status" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x81 0x0E "gnss_data.dgps_info" [] None;
-        0x81 0x0F "gnss_data.dgps_channel" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0F "gnss_data.dgps_channel" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 500.0 },
@@ -3040,7 +3044,7 @@ pub static GX5_35: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3107,23 +3111,23 @@ pub static GX5_35: Device = Device {
 /// Inertial navigation system with GNSS, magnetometer and pressure sensor.
 ///
 /// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
-/// Manual, 8500-0064 rev. C, known from single pages. This profile is incomplete: Only single pages
-/// of the manual are known, so it has more commands and data. This profile is incomplete: Of the
-/// filter data four fields are listed, and the manual has 27 or more. Uncertain: The base rates are
+/// Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
+/// the manual are known, so it has more commands and data. This profile is incomplete: Only four
+/// fields of the filter data are listed; the manual has 27 or more. Uncertain: The base rates are
 /// those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
-/// example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual
-/// prints the length of
-/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse),
+/// example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives
+/// the length of
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and offsets of
-/// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response),
-/// against MSCL.
+/// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response);
+/// MSCL differs.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # RTCM input
 ///
-/// A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes RTCM
-/// 2.3. The receiver uses the messages 1, 2, 3 and 9.
+/// The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not known.
+/// The receiver uses the messages 1, 2, 3 and 9.
 ///
 /// # Functions that the specification does not define
 ///
@@ -3132,7 +3136,7 @@ pub static GX5_35: Device = Device {
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -3145,20 +3149,20 @@ pub static GX5_45: Device = Device {
     generation: Some(5),
     manual: Some("3dm-gx5-45"),
     incomplete: &[
-        "Only single pages of the manual are known, so it has more commands and data.",
-        "Of the filter data four fields are listed, and the manual has 27 or more.",
+        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only four fields of the filter data are listed; the manual has 27 or more.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x02 "base.set_idle" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x01 "base.ping" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x02 "base.set_idle" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x01 0x03 "base.get_device_info" [] None;
-        0x01 0x04 "base.get_device_descriptors" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x05 "base.built_in_test" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x06 "base.resume" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x07 "base.get_extended_descriptors" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x05 "base.built_in_test" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x06 "base.resume" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x07 "base.get_extended_descriptors" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x01 0x7E "base.soft_reset" [] None;
-        0x0C 0x01 "3dm.poll_imu_data" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x01 "3dm.poll_imu_data" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x02 "3dm.poll_gnss_data" [] None;
         0x0C 0x03 "3dm.poll_filter_data" [] None;
         0x0C 0x06 "3dm.get_imu_base_rate" [] None;
@@ -3167,24 +3171,24 @@ pub static GX5_45: Device = Device {
         0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x0B "3dm.get_filter_base_rate" [] None;
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x39 "3dm.capture_gyro_bias" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x39 "3dm.capture_gyro_bias" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0C 0x64 "3dm.device_status" [] None;
-        0x0D 0x01 "filter.reset" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x0D 0x02 "filter.set_initial_attitude" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0D 0x01 "filter.reset" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x0D 0x02 "filter.set_initial_attitude" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x0D 0x03 "filter.set_initial_heading" [] None;
         0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -3218,29 +3222,29 @@ pub static GX5_45: Device = Device {
         0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] None;
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
         0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] None;
         0x80 0x04 "sensor.scaled_accel" [] None;
         0x80 0x05 "sensor.scaled_gyro" [] None;
         0x80 0x06 "sensor.scaled_mag" [] None;
-        0x80 0x07 "sensor.delta_theta" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x08 "sensor.delta_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x0A "sensor.comp_quaternion" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x0C "sensor.comp_euler_angles" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x10 "sensor.north_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x11 "sensor.up_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x12 "sensor.gps_timestamp" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x80 0x17 "sensor.scaled_pressure" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x03 "gnss_data.llh_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x04 "gnss_data.ecef_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x05 "gnss_data.ned_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x06 "gnss_data.ecef_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x07 "gnss_data.dop" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x08 "gnss_data.utc_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x09 "gnss_data.gps_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0A "gnss_data.clock_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
-        0x81 0x0B "gnss_data.fix_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x07 "sensor.delta_theta" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x08 "sensor.delta_velocity" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x0A "sensor.comp_quaternion" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x0C "sensor.comp_euler_angles" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x10 "sensor.north_vector" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x11 "sensor.up_vector" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x12 "sensor.gps_timestamp" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x80 0x17 "sensor.scaled_pressure" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x03 "gnss_data.llh_position" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x04 "gnss_data.ecef_position" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x05 "gnss_data.ned_velocity" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x06 "gnss_data.ecef_velocity" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x07 "gnss_data.dop" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x08 "gnss_data.utc_time" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x09 "gnss_data.gps_time" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0A "gnss_data.clock_info" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
+        0x81 0x0B "gnss_data.fix_info" [] Some("The section numbers leave room for it, and the manual of a related device has it there.");
         0x81 0x0C "gnss_data.sv_info" [] None;
         0x81 0x0D "gnss_data.hardware_status" [] None;
         0x81 0x0E "gnss_data.dgps_info" [] None;
@@ -3280,14 +3284,14 @@ pub static GX5_45: Device = Device {
             name: "rtcm_chunk",
             value: 253.0,
             unit: Some("byte"),
-            description: "Most bytes of RTCM in one field.",
+            description: "Maximum number of RTCM bytes in one field.",
         },
     ],
     variants: &[
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3326,31 +3330,31 @@ pub static GX5_45: Device = Device {
 
 /// 3DM-MV5-AR
 ///
-/// Device of generation 5, known by its name and its number.
+/// Device of generation 5, known only by its name and its number.
 ///
-/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK has its name and number only.
+/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
 pub static MV5_AR: Device = Device {
     id: "3dm-mv5-ar",
     title: "3DM-MV5-AR",
-    description: "Device of generation 5, known by its name and its number.",
+    description: "Device of generation 5, known only by its name and its number.",
     also: &["3DM-MV5-15"],
     model_number: Some(6243),
     generation: Some(5),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -3379,23 +3383,24 @@ pub static MV5_AR: Device = Device {
 /// Ruggedized tactical grade inertial navigation system with GPS.
 ///
 /// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
-/// Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
-/// The contents of the manual are known up to
+/// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
+/// incomplete: The table of contents of the manual is known up to
 /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
-/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
+/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.
 /// Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
 ///
-/// # What it has not
+/// # What it lacks
 ///
-/// By the contents of the manual, neither [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
+/// According to the table of contents of the manual, it has neither
+/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
 /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
 #[rustfmt::skip]
 pub static RQ1_45_LT: Device = Device {
@@ -3407,8 +3412,8 @@ pub static RQ1_45_LT: Device = Device {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] None;
@@ -3441,10 +3446,10 @@ pub static RQ1_45_LT: Device = Device {
         0x0D 0x01 "filter.reset" [] None;
         0x0D 0x02 "filter.set_initial_attitude" [] None;
         0x0D 0x03 "filter.set_initial_heading" [] None;
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -3456,7 +3461,7 @@ pub static RQ1_45_LT: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3498,23 +3503,24 @@ pub static RQ1_45_LT: Device = Device {
 /// Ruggedized tactical grade inertial navigation system with GPS.
 ///
 /// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
-/// Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
-/// The contents of the manual are known up to
+/// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
+/// incomplete: The table of contents of the manual is known up to
 /// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
-/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
+/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.
 /// Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// By MSCL, it answers with
+/// According to MSCL, it answers with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
 ///
-/// # What it has not
+/// # What it lacks
 ///
-/// By the contents of the manual, neither [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
+/// According to the table of contents of the manual, it has neither
+/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
 /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
 #[rustfmt::skip]
 pub static RQ1_45_ST: Device = Device {
@@ -3526,8 +3532,8 @@ pub static RQ1_45_ST: Device = Device {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] None;
@@ -3560,10 +3566,10 @@ pub static RQ1_45_ST: Device = Device {
         0x0D 0x01 "filter.reset" [] None;
         0x0D 0x02 "filter.set_initial_attitude" [] None;
         0x0D 0x03 "filter.set_initial_heading" [] None;
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
-        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists the choices for this device.");
     },
     base_rates: &[
     ],
@@ -3575,7 +3581,7 @@ pub static RQ1_45_ST: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3616,8 +3622,8 @@ pub static RQ1_45_ST: Device = Device {
 ///
 /// Modem for GNSS corrections.
 ///
-/// Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK has its name and number only.
+/// Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -3630,14 +3636,14 @@ pub static RTK: Device = Device {
     generation: Some(7),
     manual: None,
     incomplete: &[
-        "No manual is known. The SDK has its name and number only.",
+        "No manual is known. The SDK gives only its name and number.",
     ],
     fields: supported! {
-        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
-        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
-        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
-        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
-        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
+        0x01 0x01 "base.ping" [] Some("The vendor's software requests it from every device.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software requests it from every device.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software requests it from every device.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software requests it from every device.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software requests it from every device.");
     },
     base_rates: &[
     ],

@@ -30,7 +30,7 @@ open_enum! {
         SUPPRESS_ACK = 0, "suppress_ack";
         /// Acknowledge as for any command.
         STANDARD = 1, "standard";
-        /// The data come back in a response.
+        /// The data is returned in a response.
         RESPONSE = 2, "response";
     }
 }
@@ -77,7 +77,7 @@ impl core::default::Default for MeasurementTime {
 constructors! {
     MeasurementTime
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(timebase: Timebase, nanoseconds: u64), reserved: 1;
 }
 
@@ -125,7 +125,7 @@ record! {
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
     /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
-    /// - A read names the format that the answer shall have.
+    /// - A read selects the format of the answer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy)]
@@ -197,7 +197,7 @@ constructors! {
         rotation: FrameConfigRotation,
     ) = WRITE, format: rotation.tag();
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(frame_id: u8, format: AidingFrameFormat) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -238,7 +238,7 @@ record! {
     pub struct EchoControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// How they are answered.
+        /// How the measurements are answered.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
@@ -255,7 +255,7 @@ constructors! {
     /// Apply the new setting.
     fn write(mode: AidingEchoMode) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -302,15 +302,15 @@ record! {
         pub frame_id: u8,
         /// Position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub position: types::Vector3d,
         /// Uncertainty of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element is valid by
-        /// its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z
-        /// by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own
+        /// valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
+        /// [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -320,7 +320,7 @@ record! {
 constructors! {
     EcefPosition
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -376,9 +376,9 @@ record! {
         pub height: f64,
         /// Uncertainty along north, east and down.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element is valid by
-        /// its bit: x by [`valid_flags.latitude`](LlhAxisFlags::latitude), y by
-        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z by
+        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element has its own
+        /// valid flag. x: [`valid_flags.latitude`](LlhAxisFlags::latitude), y:
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z:
         /// [`valid_flags.height`](LlhAxisFlags::height).
         pub uncertainty: types::Vector3f,
         /// Which coordinates are valid.
@@ -389,7 +389,7 @@ record! {
 constructors! {
     LlhPosition
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -446,7 +446,7 @@ record! {
 constructors! {
     HeightAboveEllipsoid
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -474,7 +474,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
+    ///   [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -490,15 +491,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element is valid
-        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
-        /// z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -508,7 +509,7 @@ record! {
 constructors! {
     EcefVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -536,7 +537,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
+    ///   [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -552,15 +554,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element is valid
-        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
-        /// z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -570,7 +572,7 @@ record! {
 constructors! {
     NedVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -597,12 +599,12 @@ record! {
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The device takes up to four sensors of this kind.
-    /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
+    /// - The device supports up to four sensors of this kind.
+    /// - A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per
     ///   second.
-    /// - With z valid too, and 0, the vehicle moves in a plane only (2D mode).
+    /// - With z also valid and 0, motion is constrained to a plane (2D mode).
     /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
-    ///   of the user.
+    ///   chosen by the user.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -618,15 +620,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each element is
-        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
-        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -636,7 +638,7 @@ record! {
 constructors! {
     BodyFrameVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -693,7 +695,7 @@ record! {
 constructors! {
     TrueHeading
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -736,15 +738,15 @@ record! {
         pub frame_id: u8,
         /// Magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub magnetic_field: types::Vector3f,
         /// Standard deviation of the magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0. Each element is
-        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
-        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has
+        /// its own valid flag. x: [`valid_flags.x`](AxisFlags::x), y:
+        /// [`valid_flags.y`](AxisFlags::y), z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -754,7 +756,7 @@ record! {
 constructors! {
     MagneticField
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -810,7 +812,7 @@ record! {
 constructors! {
     Pressure
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -878,7 +880,7 @@ record! {
     /// Control.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
-        /// How they are answered.
+        /// How the measurements are answered.
         pub mode: AidingEchoMode,
     }
 }

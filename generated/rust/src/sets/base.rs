@@ -16,7 +16,7 @@ record! {
     /// information (0x01,0x03).
     #[derive(Default, Eq, Hash)]
     pub struct BaseDeviceInfo {
-        /// Firmware version as one decimal number: 1202 stands for 1.2.02.
+        /// Firmware version as one decimal number: 1202 means 1.2.02.
         pub firmware_version: u16,
         /// Name of the model.
         pub model_name: crate::Text<16>,
@@ -35,7 +35,7 @@ item! { BaseDeviceInfo { firmware_version model_name model_number serial_number 
 constructors! {
     BaseDeviceInfo
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         firmware_version: u16,
         model_name: crate::Text<16>,
@@ -59,7 +59,7 @@ open_enum! {
 record! {
     /// Ping (0x01,0x01).
     ///
-    /// Asks whether a device is there and answers commands.
+    /// Checks whether a device is present and answers commands.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -92,7 +92,7 @@ record! {
 constructors! {
     Ping
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -107,7 +107,7 @@ command! {
 record! {
     /// Set to idle (0x01,0x02).
     ///
-    /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
+    /// Stops all data streams, and wakes a sleeping device, so that it can be configured.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -131,7 +131,7 @@ record! {
     /// [3DM-RTK](crate::devices::RTK).
     ///
     /// - The resume command restores the previous mode.
-    /// - While idle the device sends no NMEA sentences either.
+    /// - While idle, the device does not send NMEA sentences either.
     ///
     /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
     /// (0x01,0x02).
@@ -142,7 +142,7 @@ record! {
 constructors! {
     SetIdle
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -189,7 +189,7 @@ record! {
 constructors! {
     GetDeviceInfo
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -228,8 +228,8 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
     ///
-    /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
-    ///   more.
+    /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command returns
+    ///   further descriptors.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -240,7 +240,7 @@ record! {
 constructors! {
     GetDeviceDescriptors
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -263,13 +263,13 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// How long the test takes at most. The manual of the 3DM-CV7 says several seconds; 10 s leaves
-    /// room for that.
+    /// The maximum duration of the test. The manual of the 3DM-CV7 says several seconds; 10 s
+    /// leaves room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
     /// - The device must be at rest; acceleration, rotation or vibration cause false failures.
-    /// - The continuous built-in test, where there is one, tells more about a failure.
+    /// - The continuous built-in test, if the device has it, gives more detail about a failure.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
@@ -280,7 +280,7 @@ record! {
 constructors! {
     BuiltInTest
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -330,7 +330,7 @@ record! {
 constructors! {
     Resume
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -363,7 +363,7 @@ record! {
 constructors! {
     GetExtendedDescriptors
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -385,8 +385,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is less thorough than the built-in test command.
-    /// - Each flag stays set until it is reported by this command, apart from the copy of the
-    ///   streamed field.
+    /// - Each flag stays set until this command reports it; the streamed field has its own copy of
+    ///   the flags.
     /// - The self-test flags change only when the built-in test command runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
@@ -397,7 +397,7 @@ record! {
 constructors! {
     ContinuousBuiltInTest
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -420,9 +420,9 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`CommSpeedResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The change waits until pending data is sent and received, at most 250 ms.
+    /// - The change takes effect once pending data is sent and received, after at most 250 ms.
     /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
-    /// - Commands and data during the change may be lost or come at either rate.
+    /// - Commands and data during the change may be lost, or sent at either rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
     #[derive(Copy, Eq, Hash)]
@@ -449,7 +449,7 @@ constructors! {
     /// Apply the new setting.
     fn write(port: u8, baud: u32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(port: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -489,9 +489,9 @@ record! {
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
     ///   edge.
     /// - Send it within 250 ms after the rising edge of the PPS.
-    /// - The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
-    /// - Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly
-    ///   makes it needless.
+    /// - The 3DM-GX5-15 needs it once per second, the 3DM-CV7-GNSS/INS at least once.
+    /// - Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
+    ///   receiver is the PPS source.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
@@ -499,9 +499,9 @@ record! {
     pub struct GpsTimeUpdate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// What the value is.
+        /// Meaning of the value.
         pub field_id: Option<GpsTimeField>,
-        /// What `field_id` says.
+        /// Time, as `field_id` says.
         ///
         /// Required for [write](types::FunctionSelector::WRITE) and
         /// [apply](types::FunctionSelector::APPLY). If [`field_id`](GpsTimeUpdate::field_id) is
@@ -523,7 +523,7 @@ constructors! {
     /// Apply the new setting.
     fn write(field_id: GpsTimeField, value: u32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(field_id: GpsTimeField) = READ;
 
     /// Apply the new setting and send no acknowledge (5-series devices).
@@ -542,7 +542,7 @@ command! {
 }
 
 responses! {
-    /// What [`GpsTimeUpdate`] is answered with.
+    /// The answer to [`GpsTimeUpdate`].
     #[derive(Copy, Eq, Hash)]
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
@@ -557,7 +557,7 @@ responses! {
 record! {
     /// Reset device (0x01,0x7E).
     ///
-    /// Acknowledges the command, then resets the device at once.
+    /// Acknowledges the command, then resets the device immediately.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -574,7 +574,7 @@ record! {
 constructors! {
     SoftReset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -682,7 +682,7 @@ record! {
         /// [`types::Cv7BuiltInTest`]. On the [3DM-GQ4-45](crate::devices::GQ4_45),
         /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
         /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values that are not known. On the
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): the values are not known. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }

@@ -245,21 +245,21 @@ open_enum! {
 }
 
 open_enum! {
-    /// Which initial conditions the device finds itself and which the user gives.
+    /// Which initial conditions the device determines automatically and which the user provides.
     InitialConditionSource: u8 {
-        /// Position, velocity and attitude are found.
+        /// Position, velocity and attitude are automatic.
         AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
-        /// Position, velocity, pitch and roll are found; the heading is given.
+        /// Position, velocity, pitch and roll are automatic; the user provides the heading.
         AUTO_POSITION_VELOCITY_PITCH_ROLL = 1, "auto_position_velocity_pitch_roll";
-        /// Position and velocity are found; the attitude is given.
+        /// Position and velocity are automatic; the user provides the attitude.
         AUTO_POSITION_VELOCITY = 2, "auto_position_velocity";
-        /// Position, velocity and attitude are given.
+        /// The user provides position, velocity and attitude.
         MANUAL = 3, "manual";
     }
 }
 
 bitfield! {
-    /// Ways in which the device may find its initial heading.
+    /// Methods by which the device may determine its initial heading.
     HeadingAlignment: u8 {
         /// From the baseline between two GNSS antennas. Bit 0.
         DUAL_ANTENNA: bool = 0,
@@ -287,7 +287,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// How strongly the filter adapts to measurements that do not fit.
+    /// How strongly the filter adapts to inconsistent measurements.
     AdaptiveLevel: u8 {
         /// No adaptation.
         OFF = 0, "off";
@@ -321,7 +321,7 @@ open_enum! {
 record! {
     /// Reset navigation filter (0x0D,0x01).
     ///
-    /// Puts the filter back into its initialization state.
+    /// Returns the filter to its initialization state.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
@@ -331,7 +331,7 @@ record! {
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
     /// - 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
-    ///   found.
+    ///   detected.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01); 3dm-gx5-15: 4.3.1 Reset
     /// Filter (0x0D, 0x01).
@@ -342,7 +342,7 @@ record! {
 constructors! {
     Reset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -386,7 +386,7 @@ record! {
 constructors! {
     SetInitialAttitude
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         roll: f32,
         pitch: f32,
@@ -430,7 +430,7 @@ record! {
 constructors! {
     SetInitialHeading
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(heading: f32);
 }
 
@@ -445,7 +445,7 @@ command! {
 record! {
     /// Run navigation filter (0x0D,0x05).
     ///
-    /// Starts a filter that was set up to wait for this command.
+    /// Starts a filter that is configured to wait for this command.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -461,7 +461,7 @@ record! {
 constructors! {
     Run
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -482,7 +482,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -508,7 +508,7 @@ constructors! {
     /// Apply the new setting.
     fn write(mode: DynamicsMode) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -541,10 +541,10 @@ record! {
     /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
     ///   gravity vector of the filter.
-    /// - The 3DM-CV7 takes the inverse instead:
+    /// - The 3DM-CV7 uses the inverse instead:
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
@@ -583,7 +583,7 @@ constructors! {
         yaw: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -613,11 +613,11 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     /// from the name.
     ///
-    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and nothing else.
+    /// - It shifts only [`filter_data::LlhPosition`](crate::filter_data::LlhPosition).
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
@@ -643,7 +643,7 @@ constructors! {
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -677,8 +677,8 @@ record! {
     /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
-    ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
+    /// - On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands
+    ///   uses [`aiding::FrameConfig`](crate::aiding::FrameConfig).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy)]
@@ -703,7 +703,7 @@ constructors! {
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -779,7 +779,7 @@ constructors! {
     /// Apply the new setting.
     fn write(flags: EstimatedStates) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -812,8 +812,8 @@ record! {
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - A change while the filter runs may put it back into initialization until the new source
-    ///   gives data.
+    /// - A change while the filter is running may return it to initialization until the new source
+    ///   provides data.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Copy, Eq, Hash)]
@@ -837,7 +837,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: GnssAidingSource) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -864,7 +864,7 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -910,7 +910,7 @@ record! {
 constructors! {
     ExternalGnssUpdate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f64,
         week_number: u16,
@@ -971,7 +971,7 @@ record! {
 constructors! {
     ExternalHeadingUpdate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         heading: f32,
         heading_uncertainty: f32,
@@ -1037,7 +1037,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: HeadingUpdateSource) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1094,7 +1094,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1153,7 +1153,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1212,7 +1212,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1273,7 +1273,7 @@ constructors! {
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1335,7 +1335,7 @@ constructors! {
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1360,13 +1360,13 @@ command! {
 record! {
     /// Automatic zero velocity update (0x0D,0x1E).
     ///
-    /// Lets the filter take the device as standing still while its GNSS speed is small.
+    /// Lets the filter assume that the device is at rest while its GNSS speed is low.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1380,7 +1380,7 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Largest speed that is taken as zero.
+        /// Highest speed that is treated as zero.
         ///
         /// Unit: m/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub threshold: Option<f32>,
@@ -1398,7 +1398,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1428,7 +1428,7 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - Better than [`ExternalHeadingUpdate`] where the heading changes quickly; the time must be
+    /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -1472,7 +1472,7 @@ record! {
 constructors! {
     ExternalHeadingUpdateWithTime
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f64,
         week_number: u16,
@@ -1493,7 +1493,7 @@ command! {
 record! {
     /// Zero angular rate update (0x0D,0x20).
     ///
-    /// Lets the filter take the device as not rotating while its angular rate is small.
+    /// Lets the filter assume that the device is not rotating while its angular rate is low.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1515,7 +1515,7 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Largest angular rate that is taken as zero.
+        /// Highest angular rate that is treated as zero.
         ///
         /// Unit: rad/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub threshold: Option<f32>,
@@ -1533,7 +1533,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1596,7 +1596,7 @@ constructors! {
     /// Apply the new setting.
     fn write(axes: TareAxes) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1621,9 +1621,9 @@ command! {
 record! {
     /// Commanded zero velocity update (0x0D,0x22).
     ///
-    /// Tells the filter once that the device stands still.
+    /// Tells the filter once that the device is at rest.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -1635,7 +1635,7 @@ record! {
 constructors! {
     CommandedZupt
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -1664,7 +1664,7 @@ record! {
 constructors! {
     CommandedAngularZupt
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -1728,7 +1728,7 @@ constructors! {
         altitude: f64,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1757,7 +1757,7 @@ record! {
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
     /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known from the MicroStrain MIP SDK only.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -1830,7 +1830,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1860,10 +1860,10 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// - A small value follows the pressure faster, and takes weather and draughts for changes of
-    ///   height.
+    /// - With a small value, the altitude follows the pressure faster, but weather and draughts
+    ///   appear as changes of height.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Copy)]
@@ -1887,7 +1887,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1917,7 +1917,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -1942,7 +1942,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1972,7 +1972,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -1997,7 +1997,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Matrix3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2051,7 +2051,7 @@ constructors! {
     /// Apply the new setting.
     fn write(control: MeasurementFlags) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2081,7 +2081,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
     /// The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
@@ -2107,7 +2107,7 @@ constructors! {
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2173,7 +2173,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: MagParameterSource, declination: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2213,8 +2213,9 @@ record! {
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
     /// - Filter and limits take effect only with `fixed`.
-    /// - Raise the limits where vibration is strong, lower them where it is weak. High limits cost
-    ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
+    /// - Raise the limits where vibration is strong, lower them where it is weak. High limits
+    ///   reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the
+    ///   accuracy of the heading.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Copy)]
@@ -2273,7 +2274,7 @@ constructors! {
     /// Apply the new setting.
     fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2318,14 +2319,14 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
-    /// Uncertain: Whether the parameters behind the selector may be left out on write, as those of
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
+    /// Uncertain: Whether the parameters after the selector may be left out on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
-    ///   finds limits.
-    /// - High limits suit high dynamics but let disturbances of the field through; low limits can
-    ///   spoil the heading.
+    ///   determines the limits.
+    /// - High limits suit high dynamics but do not reject disturbances of the field; low limits can
+    ///   degrade the heading.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy)]
@@ -2348,32 +2349,32 @@ record! {
         /// Lower limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
-        /// in the response.
+        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// the response.
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
-        /// in the response.
+        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// the response.
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
-        /// in the response.
+        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// the response.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
-        /// in the response.
+        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// the response.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
-        /// in the response.
+        /// The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
+        /// the response.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2402,7 +2403,7 @@ constructors! {
         minimum_uncertainty: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2433,12 +2434,12 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
-    /// - High limits suit high dynamics but let disturbances of the field through; low limits can
-    ///   spoil the heading.
+    /// - High limits suit high dynamics but do not reject disturbances of the field; low limits can
+    ///   degrade the heading.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy)]
@@ -2456,17 +2457,17 @@ record! {
         /// Upper limit of the error.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; rad is inferred from the quantity.
+        /// The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; rad is inferred from the quantity.
+        /// The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK prints m/s^2; rad is inferred from the quantity.
+        /// The SDK gives m/s^2; rad is inferred from the quantity.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 18 {
@@ -2491,7 +2492,7 @@ constructors! {
         minimum_uncertainty: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2516,15 +2517,15 @@ command! {
 record! {
     /// Altitude aiding (0x0D,0x47).
     ///
-    /// What aids the altitude beside GNSS.
+    /// What aids the altitude in addition to GNSS.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
-    /// - Weather and place shift the pressure altitude, at times by more than 40 m.
+    /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
+    /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Copy, Eq, Hash)]
@@ -2548,7 +2549,7 @@ constructors! {
     /// Apply the new setting.
     fn write(selector: AltitudeAidingSource) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2602,7 +2603,7 @@ constructors! {
     /// Apply the new setting.
     fn write(aiding: PitchRollAidingSource) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2632,8 +2633,8 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from
-    /// the MicroStrain MIP SDK only.
+    /// Answered by [`MagneticInclinationSourceResponse`]. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2649,7 +2650,7 @@ record! {
         /// Inclination; used only if `source` is manual.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The SDK sends it always.
+        /// may be left out if `source` is not manual. The SDK always sends it.
         pub inclination: Option<f32>,
     }
     wire 6 {
@@ -2665,7 +2666,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: MagParameterSource, inclination: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2696,8 +2697,8 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// [`MagneticMagnitudeSourceResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
@@ -2714,7 +2715,7 @@ record! {
         /// Magnitude; used only if `source` is manual.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// may be left out if `source` is not manual. The SDK sends it always.
+        /// may be left out if `source` is not manual. The SDK always sends it.
         pub magnitude: Option<f32>,
     }
     wire 6 {
@@ -2730,7 +2731,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: MagParameterSource, magnitude: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2760,17 +2761,17 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationDcmResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`SensorToVehicleRotationDcmResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the matrix that
     ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
     ///   takes.
-    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
-    /// - The device refuses a matrix that is not orthonormal to 0.001.
-    /// - The device keeps a quaternion, so the elements read back may differ a little from those
+    /// - The device refuses a matrix that is not orthonormal to within 0.001.
+    /// - The device keeps a quaternion, so the elements read back may differ slightly from those
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
@@ -2796,7 +2797,7 @@ constructors! {
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2826,16 +2827,16 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`SensorToVehicleRotationQuaternionResponse`]. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the quaternion that
     ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
     ///   takes.
-    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
-    /// - The device normalizes it, so the elements read back may differ a little from those
+    /// - The device normalizes it, so the elements read back may differ slightly from those
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
@@ -2861,7 +2862,7 @@ constructors! {
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2925,7 +2926,7 @@ constructors! {
     /// Apply the new setting.
     fn write(aiding_source: AidingSource, enable: bool) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(aiding_source: AidingSource) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2954,9 +2955,9 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether there
-    /// are further values. The SDK has plain numbers and gives the values in remarks.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether there are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -2997,7 +2998,7 @@ constructors! {
         angular_constraint: AngularConstraint,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3041,31 +3042,31 @@ record! {
     pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: it starts as soon as it can.
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub wait_for_run_command: Option<u8>,
-        /// Which initial conditions are found and which are given.
+        /// Which initial conditions are automatic and which the user provides.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub initial_condition_source: Option<InitialConditionSource>,
-        /// Ways in which the initial heading may be found.
+        /// Methods by which the initial heading may be determined.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub auto_heading_alignment_selector: Option<HeadingAlignment>,
-        /// Given heading.
+        /// Initial heading that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_heading: Option<f32>,
-        /// Given pitch.
+        /// Initial pitch that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_pitch: Option<f32>,
-        /// Given roll.
+        /// Initial roll that the user provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_roll: Option<f32>,
-        /// Given position.
+        /// Initial position that the user provides.
         ///
         /// Elements: x, y, z. Required for [write](types::FunctionSelector::WRITE). If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
@@ -3073,7 +3074,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub initial_position: Option<types::Vector3f>,
-        /// Given velocity.
+        /// Initial velocity that the user provides.
         ///
         /// Elements: x, y, z. Unit: m/s. Required for [write](types::FunctionSelector::WRITE). If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
@@ -3081,7 +3082,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: frame ned.
         pub initial_velocity: Option<types::Vector3f>,
-        /// Frame of the given position and velocity.
+        /// Frame of the initial position and velocity.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_frame_selector: Option<ReferenceFrame>,
@@ -3116,7 +3117,7 @@ constructors! {
         reference_frame_selector: ReferenceFrame,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3178,7 +3179,7 @@ constructors! {
     /// Apply the new setting.
     fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3238,7 +3239,7 @@ constructors! {
     /// Apply the new setting.
     fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(receiver_id: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3311,7 +3312,7 @@ constructors! {
         reference_coordinates: impl Into<types::Vector3d>,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3379,7 +3380,7 @@ constructors! {
     /// Apply the new setting.
     fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3406,8 +3407,8 @@ record! {
     ///
     /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
-    /// names a response, `filter.speed_measurement_response`, but has no layout of it.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
+    /// SDK names a response, `filter.speed_measurement_response`, but has no layout of it.
     ///
     /// - It must not be used together with the odometer of the device.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -3421,7 +3422,7 @@ record! {
         pub source: u8,
         /// GPS time of week of the measurement.
         ///
-        /// Unit: s. Uncertain: The unit; the SDK prints none.
+        /// Unit: s. Uncertain: The unit; the SDK gives none.
         pub tow: f32,
         /// Speed, negative in reverse.
         ///
@@ -3449,7 +3450,7 @@ impl core::default::Default for SpeedMeasurement {
 constructors! {
     SpeedMeasurement
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f32,
         speed: f32,
@@ -3475,7 +3476,8 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - It corrects for the speed that such a point has only because the vehicle turns.
+    /// - It corrects for the part of the speed at that point that is due to the rotation of the
+    ///   vehicle.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
@@ -3503,7 +3505,7 @@ constructors! {
     /// Apply the new setting.
     fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ, source: 1;
 
     /// Save the current setting to non-volatile memory.
@@ -3528,15 +3530,15 @@ command! {
 record! {
     /// Vertical gyro constraint (0x0D,0x62).
     ///
-    /// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+    /// Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`VerticalGyroConstraintControlResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`VerticalGyroConstraintControlResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
-    /// - It takes the linear acceleration as zero.
+    /// - It assumes that the linear acceleration is zero.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Copy, Eq, Hash)]
@@ -3560,7 +3562,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3593,8 +3595,8 @@ record! {
     /// [`WheeledVehicleConstraintControlResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - It improves the heading of cars and the like, above all when GNSS comes and goes. It is
-    ///   wrong for vehicles that move sideways, such as aircraft.
+    /// - It improves the heading of cars and similar vehicles, especially with intermittent GNSS.
+    ///   Do not use it for vehicles that move sideways, such as aircraft.
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
     #[derive(Copy, Eq, Hash)]
@@ -3618,7 +3620,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3681,7 +3683,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8, max_offset: f32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3707,7 +3709,7 @@ record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
     /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3755,7 +3757,7 @@ record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
     /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -3982,7 +3984,7 @@ record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
     /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy, Default)]
@@ -3991,7 +3993,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Largest speed that is taken as zero.
+        /// Highest speed that is treated as zero.
         ///
         /// Unit: m/s. Range: at least 0.
         pub threshold: f32,
@@ -4018,7 +4020,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Largest angular rate that is taken as zero.
+        /// Highest angular rate that is treated as zero.
         ///
         /// Unit: rad/s. Range: at least 0.
         pub threshold: f32,
@@ -4088,7 +4090,7 @@ record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
     /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -4109,7 +4111,7 @@ record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
     /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -4130,7 +4132,7 @@ record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
     /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -4189,8 +4191,8 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -4287,7 +4289,7 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy, Default)]
@@ -4300,28 +4302,28 @@ record! {
         pub frequency: f32,
         /// Lower limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
-        /// prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// m/s^2 in the command and gauss in the response.
         pub low_limit: f32,
         /// Upper limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
-        /// prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// m/s^2 in the command and gauss in the response.
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
-        /// prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// m/s^2 in the command and gauss in the response.
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
-        /// prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// m/s^2 in the command and gauss in the response.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
-        /// prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives
+        /// m/s^2 in the command and gauss in the response.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4335,7 +4337,7 @@ record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
     /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
@@ -4348,15 +4350,15 @@ record! {
         pub frequency: f32,
         /// Upper limit of the error.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit: f32,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        /// Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
         pub minimum_uncertainty: f32,
     }
 }
@@ -4369,8 +4371,8 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4407,8 +4409,8 @@ field! {
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known from
-    /// the MicroStrain MIP SDK only.
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Copy, Default)]
@@ -4418,7 +4420,7 @@ record! {
         /// Inclination; used only if `source` is manual.
         ///
         /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The SDK
-        /// sends it always.
+        /// always sends it.
         pub inclination: f32,
     }
 }
@@ -4432,7 +4434,7 @@ record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
     /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
-    /// Known from the MicroStrain MIP SDK only.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Copy, Default)]
@@ -4442,7 +4444,7 @@ record! {
         /// Magnitude; used only if `source` is manual.
         ///
         /// Unit: gauss. Uncertain: Whether it may be left out if `source` is not manual. The SDK
-        /// sends it always.
+        /// always sends it.
         pub magnitude: f32,
     }
 }
@@ -4455,7 +4457,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     ///
-    /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SensorToVehicleRotationDcm`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Copy, Default)]
@@ -4475,7 +4477,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
     ///
-    /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SensorToVehicleRotationQuaternion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Copy, Default)]
@@ -4517,7 +4519,7 @@ field! {
 record! {
     /// Kinematic constraint response (0x0D,0xD1).
     ///
-    /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`KinematicConstraint`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4552,27 +4554,27 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy, Default)]
     pub struct InitializationConfigResponse {
-        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: it starts as soon as it can.
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
-        /// Which initial conditions are found and which are given.
+        /// Which initial conditions are automatic and which the user provides.
         pub initial_condition_source: InitialConditionSource,
-        /// Ways in which the initial heading may be found.
+        /// Methods by which the initial heading may be determined.
         pub auto_heading_alignment_selector: HeadingAlignment,
-        /// Given heading.
+        /// Initial heading that the user provides.
         ///
         /// Unit: deg.
         pub initial_heading: f32,
-        /// Given pitch.
+        /// Initial pitch that the user provides.
         ///
         /// Unit: deg.
         pub initial_pitch: f32,
-        /// Given roll.
+        /// Initial roll that the user provides.
         ///
         /// Unit: deg.
         pub initial_roll: f32,
-        /// Given position.
+        /// Initial position that the user provides.
         ///
         /// Elements: x, y, z. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
@@ -4580,7 +4582,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub initial_position: types::Vector3f,
-        /// Given velocity.
+        /// Initial velocity that the user provides.
         ///
         /// Elements: x, y, z. Unit: m/s. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
@@ -4588,7 +4590,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: frame ned.
         pub initial_velocity: types::Vector3f,
-        /// Frame of the given position and velocity.
+        /// Frame of the initial position and velocity.
         pub reference_frame_selector: ReferenceFrame,
     }
 }
@@ -4736,7 +4738,7 @@ field! {
 record! {
     /// Vertical gyro constraint response (0x0D,0xE2).
     ///
-    /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`VerticalGyroConstraintControl`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Copy, Default, Eq, Hash)]

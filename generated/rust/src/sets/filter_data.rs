@@ -175,12 +175,12 @@ open_enum! {
 }
 
 bitfield! {
-    /// What the heading solution of two antennas has to work with.
+    /// Inputs available to the heading solution of two antennas.
     DualAntennaStatusFlags: u16 {
-        /// Data of receiver 1 are valid. Bit 0.
+        /// Data of receiver 1 is valid. Bit 0.
         RECEIVER_1_DATA_VALID: bool = 0,
             receiver_1_data_valid, set_receiver_1_data_valid, with_receiver_1_data_valid;
-        /// Data of receiver 2 are valid. Bit 1.
+        /// Data of receiver 2 is valid. Bit 1.
         RECEIVER_2_DATA_VALID: bool = 1,
             receiver_2_data_valid, set_receiver_2_data_valid, with_receiver_2_data_valid;
         /// The antenna offsets are valid. Bit 2.
@@ -194,13 +194,13 @@ open_enum! {
     ///
     /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
     Gx5FilterState: u16 {
-        /// The device starts.
+        /// The device is starting.
         STARTUP = 0, "startup";
-        /// Initialization; the status flags tell what is missing.
+        /// Initialization; the status flags show what is missing.
         INIT = 1, "init";
         /// Running with a valid solution.
         RUN_SOLUTION_VALID = 2, "run_solution_valid";
-        /// Running with an error; the status flags tell which.
+        /// Running with an error; the status flags show which.
         RUN_SOLUTION_ERROR = 3, "run_solution_error";
     }
 }
@@ -222,7 +222,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Motion for which the filter of a 5-series device is set up.
+    /// Motion for which the filter of a 5-series device is configured.
     Gx5DynamicsMode: u16 {
         /// Carried by hand.
         PORTABLE = 1, "portable";
@@ -242,7 +242,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
+    /// Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`,
     /// the others while the filter runs.
     ///
     /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
@@ -265,7 +265,7 @@ bitfield! {
         /// An attitude covariance is above its normal limit. Bit 6.
         RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
-        /// The solution holds values that are not numbers. Bit 7.
+        /// The solution contains values that are not numbers. Bit 7.
         RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
         /// The estimated gyroscope bias is high. Bit 8.
@@ -340,7 +340,7 @@ bitfield! {
         /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6.
         IMU_BIAS_WARNING: bool = 6,
             imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
-        /// The GNSS clock is doubtful; navigation goes on. Bit 7.
+        /// The GNSS clock is doubtful; navigation continues. Bit 7.
         GNSS_CLOCK_WARNING: bool = 7,
             gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
         /// The antenna offsets are probably wrong. Bit 8.
@@ -349,10 +349,10 @@ bitfield! {
         /// The mounting transformation is probably wrong. Bit 9.
         MOUNTING_TRANSFORM_WARNING: bool = 9,
             mounting_transform_warning, set_mounting_transform_warning, with_mounting_transform_warning;
-        /// No pulse per second is found, or the time of an external heading is too old. Bit 10.
+        /// No pulse per second is detected, or the time of an external heading is too old. Bit 10.
         TIME_SYNC_WARNING: bool = 10,
             time_sync_warning, set_time_sync_warning, with_time_sync_warning;
-        /// Not 0 if the solution holds values that are not numbers; reset the filter. Bits 12 to
+        /// Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to
         /// 15.
         SOLUTION_ERROR: u8 = 12..=15,
             solution_error, set_solution_error, with_solution_error;
@@ -429,7 +429,7 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
-    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
+    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
@@ -457,7 +457,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
+    /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
+    ///   v_ned`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
@@ -633,8 +634,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
-    /// - 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
-    ///   degrees of pitch up or down.
+    /// - 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond
+    ///   70 degrees of pitch up or down.
     ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A); 3dm-gx5-15: 5.2.6 Attitude
     /// Uncertainty, Euler Angles (0x82, 0x0A).
@@ -714,7 +715,7 @@ field! {
 record! {
     /// Linear acceleration (0x82,0x0D).
     ///
-    /// Compensated acceleration less the estimated gravity.
+    /// Compensated acceleration minus the estimated gravity.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
@@ -766,11 +767,11 @@ field! {
 record! {
     /// WGS84 local gravity magnitude (0x82,0x0F).
     ///
-    /// Magnitude of gravity at the position of the device by the WGS84 model.
+    /// Magnitude of gravity at the position of the device according to the WGS84 model.
     ///
     /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
-    /// - The model holds up to an altitude of 20 km.
+    /// - The model is valid up to an altitude of 20 km.
     ///
     /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
     #[derive(Copy, Default)]
@@ -798,7 +799,7 @@ record! {
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
-    /// - 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the
+    /// - 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the
     ///   filter runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
@@ -809,7 +810,7 @@ record! {
         /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
         /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
-        /// Motion for which the filter is set up.
+        /// Motion for which the filter is configured.
         ///
         /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
         /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
@@ -891,8 +892,7 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
-    /// - Without PPS the internal clock drives the time, and the time jumps when the PPS comes
-    ///   back.
+    /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
     /// - Without synchronization to a receiver or an external clock it is the internal system time.
     /// - 3DM-CV7: the field may be withdrawn; [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
     ///   is better.
@@ -1006,7 +1006,7 @@ field! {
 record! {
     /// Magnetic model (0x82,0x15).
     ///
-    /// Magnetic field at the position of the device by the World Magnetic Model.
+    /// Magnetic field at the position of the device according to the World Magnetic Model.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -1049,7 +1049,7 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Copy, Default)]
@@ -1073,7 +1073,7 @@ record! {
     ///
     /// Estimated scale factor of the accelerometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Copy, Default)]
@@ -1097,7 +1097,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Copy, Default)]
@@ -1121,7 +1121,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Copy, Default)]
@@ -1145,7 +1145,7 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -1169,7 +1169,7 @@ record! {
     ///
     /// Standard deviation of the estimated bias of the magnetometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
     #[derive(Copy, Default)]
@@ -1191,7 +1191,7 @@ field! {
 record! {
     /// Compensated acceleration (0x82,0x1C).
     ///
-    /// Acceleration without the estimated bias; gravity is still in it.
+    /// Acceleration without the estimated bias; it includes gravity.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15).
@@ -1219,14 +1219,14 @@ record! {
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
     /// Source: mip-sdk-4: Standard Atmosphere (0x82,0x20).
     #[derive(Copy, Default)]
     pub struct StandardAtmosphere {
-        /// Altitude that goes into the model.
+        /// Altitude used in the model.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub geometric_altitude: f32,
@@ -1288,8 +1288,8 @@ record! {
     ///
     /// Altitude at which the standard atmosphere has the density of the air around the device.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
-    /// gives the name only; the description is the usual meaning of the term.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
+    /// SDK gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
     #[derive(Copy, Default)]
@@ -1312,8 +1312,8 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -1340,8 +1340,8 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -1368,8 +1368,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -1393,8 +1393,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -1418,8 +1418,8 @@ record! {
     ///
     /// Covariance of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
     #[derive(Copy, Default)]
@@ -1444,8 +1444,8 @@ record! {
     ///
     /// Residual of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
     #[derive(Copy, Default)]
@@ -1469,7 +1469,7 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
@@ -1496,7 +1496,7 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
@@ -1520,7 +1520,7 @@ record! {
     ///
     /// Estimated clock error of one GNSS receiver.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
     #[derive(Copy, Default)]
@@ -1551,7 +1551,7 @@ record! {
     ///
     /// Standard deviation of the estimated clock error of one GNSS receiver.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
     #[derive(Copy, Default)]
@@ -1789,8 +1789,8 @@ record! {
     ///
     /// How the filter uses the attitude that two GNSS antennas give.
     ///
-    /// Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1819,8 +1819,8 @@ record! {
     ///
     /// The heading measurement that the filter used last.
     ///
-    /// Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `head_aid_status`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1960,7 +1960,7 @@ record! {
         pub heading_uncertainty: f32,
         /// Kind of solution.
         pub fix_type: DualAntennaFixType,
-        /// What the solution has to work with.
+        /// Inputs available to the solution.
         pub status_flags: DualAntennaStatusFlags,
         /// Validity of the values.
         pub valid_flags: ValidFlags,

@@ -22,7 +22,7 @@ record! {
         ///
         /// Range: 128 to 254.
         pub mip_data_descriptor_set: u8,
-        /// Module name or model and firmware version, with a comma between.
+        /// Module name or model and firmware version, separated by a comma.
         pub description: crate::Text<32>,
     }
 }
@@ -31,7 +31,7 @@ item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
 constructors! {
     ReceiverInfoEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         receiver_id: u8,
         mip_data_descriptor_set: u8,
@@ -97,11 +97,11 @@ bitfield! {
 }
 
 open_enum! {
-    /// How SPARTN corrections come.
+    /// How SPARTN corrections are received.
     SpartnConnection: u8 {
         /// No connection.
         NONE = 0, "none";
-        /// By a network.
+        /// Over a network.
         NETWORK = 1, "network";
         /// By satellite in the L band.
         L_BAND = 2, "l_band";
@@ -111,7 +111,7 @@ open_enum! {
 record! {
     /// Receiver info (0x0E,0x01).
     ///
-    /// Asks which GNSS receivers the device has.
+    /// Gets the GNSS receivers of the device.
     ///
     /// Answered by [`ReceiverInfoResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -124,7 +124,7 @@ record! {
 constructors! {
     ReceiverInfo
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -148,9 +148,9 @@ record! {
     /// Answered by [`SignalConfigResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - A device takes certain combinations only.
-    /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It
-    ///   takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for
+    /// - A device accepts certain combinations only.
+    /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. For
+    ///   GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for
     ///   GLONASS none or L1.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
@@ -198,7 +198,7 @@ constructors! {
         beidou_enable: BeidouSignals,
     ) = WRITE, reserved: [0; 4];
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -228,8 +228,8 @@ record! {
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`RtkDongleConfigResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -257,7 +257,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: u8) = WRITE, reserved: [0; 3];
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -288,12 +288,12 @@ record! {
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`SpartnConfigResponse`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device takes upper
-    /// and lower case. The section on UART has the digits 0-9 and A-F, the description of the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device accepts
+    /// upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the
     /// command has "bc" for 0xBC.
     ///
-    /// - A change of enable or type has an effect after a power cycle only; keys can be changed
-    ///   while running.
+    /// - A change of `enable` or `type` takes effect only after a power cycle; keys can be changed
+    ///   at any time.
     /// - While SPARTN corrections are enabled, RTCM corrections are blocked.
     /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each
     ///   byte.
@@ -308,7 +308,7 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// How the corrections come.
+        /// How the corrections are received.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
@@ -366,7 +366,7 @@ constructors! {
         next_key: [u8; 32],
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -393,7 +393,7 @@ record! {
     ///
     /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_receivers`: Number of physical receivers. The number of
+    /// The wire format also contains `num_receivers`: Number of physical receivers. The number of
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
@@ -443,8 +443,8 @@ field! {
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -477,7 +477,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// How the corrections come.
+        /// How the corrections are received.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: SpartnConnection,
         /// GPS time of week until which the current key is valid.

@@ -123,7 +123,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// How far the UTC time is valid.
+    /// Which parts of the UTC time are valid.
     UtcTimeFlags: u16 {
         /// Date and time come from GNSS. Bit 0.
         GNSS_DATE_TIME: bool = 0,
@@ -171,7 +171,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// What the fix makes use of.
+    /// What the fix uses.
     FixFlags: u16 {
         /// Satellite based augmentation. Bit 0.
         SBAS_USED: bool = 0,
@@ -240,7 +240,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Whether the receiver works.
+    /// State of the receiver.
     ReceiverState: u8 {
         /// Off.
         OFF = 0, "off";
@@ -543,7 +543,7 @@ open_enum! {
     SignalQuality: u8 {
         /// No signal.
         NONE = 0, "none";
-        /// The signal is searched.
+        /// The signal is being searched for.
         SEARCHING = 1, "searching";
         /// The signal is acquired.
         ACQUIRED = 2, "acquired";
@@ -674,7 +674,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Corrections that came during an epoch.
+    /// Corrections received during an epoch.
     RtkEpochStatus: u16 {
         /// Antenna location. Bit 0.
         ANTENNA_LOCATION_RECEIVED: bool = 0,
@@ -694,10 +694,11 @@ bitfield! {
         /// BeiDou corrections. Bit 5.
         BEIDOU_RECEIVED: bool = 5,
             beidou_received, set_beidou_received, with_beidou_received;
-        /// GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. Bit 6.
+        /// GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6.
         USING_GPS_MSM_MESSAGES: bool = 6,
             using_gps_msm_messages, set_using_gps_msm_messages, with_using_gps_msm_messages;
-        /// GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. Bit 7.
+        /// GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012.
+        /// Bit 7.
         USING_GLONASS_MSM_MESSAGES: bool = 7,
             using_glonass_msm_messages, set_using_glonass_msm_messages, with_using_glonass_msm_messages;
         /// The status of the dongle could not be read. Bit 8.
@@ -1090,7 +1091,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// How far the time is valid.
+        /// Which parts of the time are valid.
         pub valid_flags: UtcTimeFlags,
     }
 }
@@ -1131,9 +1132,9 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it and tells more.
+    /// - Clock info 2 replaces it and gives more detail.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
     #[derive(Copy, Default)]
@@ -1163,7 +1164,7 @@ field! {
 record! {
     /// Fix info (0x91,0x0B).
     ///
-    /// Type of the position fix and what it is made of.
+    /// Type of the position fix and what it is based on.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -1175,11 +1176,11 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
-        /// Number of satellites of the fix.
+        /// Number of satellites used in the fix.
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// Aids of the fix.
+        /// What the fix uses.
         ///
         /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
         pub fix_flags: FixFlags,
@@ -1197,10 +1198,10 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a
-    /// packet holds one of these fields or several.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether a packet holds one of these fields or several.
     ///
-    /// - The satellites come as one field each, in packets apart from other GNSS data.
+    /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
     /// Source: mip-sdk-4: Sv Info (0x81,0x0C).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1275,9 +1276,9 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and
-    /// of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
-    /// has another one, u8, three floats and u16, which is that of [`DgpsChannel`] and does not
+    /// Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35
+    /// and from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The
+    /// SDK has another layout: u8, three floats and u16. It is that of [`DgpsChannel`] and does not
     /// agree with its own valid flags (age, base station id, base station status, number of
     /// channels).
     ///
@@ -1316,9 +1317,9 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The active satellites come as one field each, all in one packet.
+    /// - Each active satellite is sent as one field, all in one packet.
     ///
     /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
     #[derive(Copy, Default)]
@@ -1460,7 +1461,7 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -1485,8 +1486,8 @@ record! {
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         pub satellite_id: u8,
-        /// Indicator of the range error that is left after fast and long-term corrections, the
-        /// atmosphere apart; 14 is not monitored, 15 not usable.
+        /// Indicator of the range error that remains after fast and long-term corrections, not
+        /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
         /// Range: 0 to 15. Valid if [`valid_flags.udrei`](SbasCorrectionFlags::udrei) is set.
         pub udrei: u8,
@@ -1513,9 +1514,9 @@ field! {
 record! {
     /// RF error detection (0x91,0x14).
     ///
-    /// Jamming and spoofing as the receiver detects them in one band.
+    /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1546,7 +1547,7 @@ field! {
 record! {
     /// Satellite status (0x91,0x20).
     ///
-    /// Where one satellite stands, and its health.
+    /// Direction to one satellite, and its health.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -1694,7 +1695,7 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
     #[derive(Copy, Default)]
@@ -1738,9 +1739,9 @@ field! {
 record! {
     /// RTK corrections status (0x91,0x31).
     ///
-    /// Which corrections come, and how old they are.
+    /// Which corrections are received, and how old they are.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
     #[derive(Copy, Default)]
@@ -1754,7 +1755,7 @@ record! {
         /// Unit: week. Valid if [`valid_flags.week_number`](RtkCorrectionsStatusFlags::week_number)
         /// is set.
         pub week_number: u16,
-        /// Corrections that came during this epoch.
+        /// Corrections received during this epoch.
         ///
         /// Valid if [`valid_flags.epoch_status`](RtkCorrectionsStatusFlags::epoch_status) is set.
         pub epoch_status: RtkEpochStatus,
@@ -1762,8 +1763,8 @@ record! {
         ///
         /// Valid if [`valid_flags.dongle_status`](RtkCorrectionsStatusFlags::dongle_status) is set.
         ///
-        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
-        ///   of its two forms.
+        /// - The same word as in the response to
+        ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1803,7 +1804,7 @@ record! {
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61).
     #[derive(Default)]
@@ -2005,7 +2006,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
-        /// Acceleration of the satellite by perturbations, in PZ-90.
+        /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
@@ -2068,8 +2069,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63).
     #[derive(Default)]
@@ -2217,8 +2218,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64).
     #[derive(Default)]
@@ -2363,8 +2364,8 @@ record! {
     ///
     /// Model of the ionosphere that GPS broadcasts.
     ///
-    /// Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Also called `gps_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gps Iono Corr (0x81,0x71).
     #[derive(Default)]
@@ -2402,8 +2403,8 @@ record! {
     ///
     /// Model of the ionosphere that Galileo broadcasts.
     ///
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
     #[derive(Copy, Default)]
@@ -2426,7 +2427,7 @@ record! {
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
-        /// Uncertain: Whether the bits count from 0 or from 1, and which region each stands for.
+        /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
         pub valid_flags: GalileoIonoCorrectionFlags,
@@ -2442,8 +2443,8 @@ record! {
     ///
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Beidou Iono Corr (0x81,0x74).
     #[derive(Default)]

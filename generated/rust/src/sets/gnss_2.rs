@@ -271,7 +271,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// How far the time is valid.
+        /// Which parts of the time are valid.
         pub valid_flags: crate::gnss_1::UtcTimeFlags,
     }
 }
@@ -314,10 +314,10 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it and tells more.
+    /// - Clock info 2 replaces it and gives more detail.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -348,7 +348,7 @@ field! {
 record! {
     /// Fix info (0x92,0x0B).
     ///
-    /// Type of the position fix and what it is made of.
+    /// Type of the position fix and what it is based on.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -360,11 +360,11 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](crate::gnss_1::FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
-        /// Number of satellites of the fix.
+        /// Number of satellites used in the fix.
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](crate::gnss_1::FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// Aids of the fix.
+        /// What the fix uses.
         ///
         /// Valid if [`valid_flags.fix_flags`](crate::gnss_1::FixInfoFlags::fix_flags) is set.
         pub fix_flags: crate::gnss_1::FixFlags,
@@ -382,11 +382,11 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these
-    /// fields or several.
+    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
+    /// these fields or several.
     ///
-    /// - The satellites come as one field each, in packets apart from other GNSS data.
+    /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default, Eq, Hash)]
@@ -468,10 +468,10 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is that of a manual of the
-    /// 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.
-    /// Uncertain: The SDK has another one, u8, three floats and u16, which is that of
+    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: The layout is from a manual of
+    /// the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
+    /// Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
     /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
     /// flags (age, base station id, base station status, number of channels).
     ///
@@ -515,10 +515,10 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The active satellites come as one field each, all in one packet.
+    /// - Each active satellite is sent as one field, all in one packet.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -668,8 +668,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -694,8 +694,8 @@ record! {
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         pub satellite_id: u8,
-        /// Indicator of the range error that is left after fast and long-term corrections, the
-        /// atmosphere apart; 14 is not monitored, 15 not usable.
+        /// Indicator of the range error that remains after fast and long-term corrections, not
+        /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
         /// Range: 0 to 15. Valid if
         /// [`valid_flags.udrei`](crate::gnss_1::SbasCorrectionFlags::udrei) is set.
@@ -724,10 +724,10 @@ field! {
 record! {
     /// RF error detection (0x92,0x14).
     ///
-    /// Jamming and spoofing as the receiver detects them in one band.
+    /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default, Eq, Hash)]
@@ -762,7 +762,7 @@ field! {
 record! {
     /// Satellite status (0x92,0x20).
     ///
-    /// Where one satellite stands, and its health.
+    /// Direction to one satellite, and its health.
     ///
     /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -923,8 +923,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -971,10 +971,10 @@ field! {
 record! {
     /// RTK corrections status (0x92,0x31).
     ///
-    /// Which corrections come, and how old they are.
+    /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -990,7 +990,7 @@ record! {
         /// [`valid_flags.week_number`](crate::gnss_1::RtkCorrectionsStatusFlags::week_number) is
         /// set.
         pub week_number: u16,
-        /// Corrections that came during this epoch.
+        /// Corrections received during this epoch.
         ///
         /// Valid if
         /// [`valid_flags.epoch_status`](crate::gnss_1::RtkCorrectionsStatusFlags::epoch_status) is
@@ -1002,8 +1002,8 @@ record! {
         /// [`valid_flags.dongle_status`](crate::gnss_1::RtkCorrectionsStatusFlags::dongle_status)
         /// is set.
         ///
-        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
-        ///   of its two forms.
+        /// - The same word as in the response to
+        ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1048,7 +1048,7 @@ record! {
     /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61).
     #[derive(Default)]
@@ -1281,7 +1281,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
-        /// Acceleration of the satellite by perturbations, in PZ-90.
+        /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
@@ -1354,8 +1354,8 @@ record! {
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63).
     #[derive(Default)]
@@ -1529,8 +1529,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64).
     #[derive(Default)]
@@ -1701,7 +1701,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Default)]
@@ -1741,8 +1742,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -1767,8 +1768,8 @@ record! {
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)
-        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each stands
-        /// for.
+        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each
+        /// represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
         pub valid_flags: crate::gnss_1::GalileoIonoCorrectionFlags,
@@ -1785,8 +1786,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Default)]

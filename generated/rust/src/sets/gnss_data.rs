@@ -18,7 +18,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
     /// `pos_llh`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -72,7 +72,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
     /// `pos_ecef`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -104,7 +104,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
     /// `vel_ned`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -187,8 +187,8 @@ record! {
     /// Dilution of precision of the satellite geometry.
     ///
     /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -236,8 +236,8 @@ record! {
     /// Coordinated universal time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -277,7 +277,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// How far the time is valid.
+        /// Which parts of the time are valid.
         pub valid_flags: crate::gnss_1::UtcTimeFlags,
     }
 }
@@ -292,8 +292,8 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -322,10 +322,10 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it and tells more.
+    /// - Clock info 2 replaces it and gives more detail.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -356,11 +356,11 @@ field! {
 record! {
     /// Fix info (0x81,0x0B).
     ///
-    /// Type of the position fix and what it is made of.
+    /// Type of the position fix and what it is based on.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -369,11 +369,11 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](crate::gnss_1::FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
-        /// Number of satellites of the fix.
+        /// Number of satellites used in the fix.
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](crate::gnss_1::FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// Aids of the fix.
+        /// What the fix uses.
         ///
         /// Valid if [`valid_flags.fix_flags`](crate::gnss_1::FixInfoFlags::fix_flags) is set.
         pub fix_flags: crate::gnss_1::FixFlags,
@@ -393,10 +393,10 @@ record! {
     ///
     /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether a packet holds one of these fields or several.
     ///
-    /// - The satellites come as one field each, in packets apart from other GNSS data.
+    /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -444,7 +444,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
     /// `hw_status`. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -480,9 +480,9 @@ record! {
     ///
     /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor.
-    /// It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
-    /// u16, which is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree
+    /// The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor.
+    /// It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats and
+    /// u16. It is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree
     /// with its own valid flags (age, base station id, base station status, number of channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
@@ -527,9 +527,9 @@ record! {
     ///
     /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
-    /// - The active satellites come as one field each, all in one packet.
+    /// - Each active satellite is sent as one field, all in one packet.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -569,8 +569,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It supersedes clock info.
     ///
@@ -609,8 +609,8 @@ record! {
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -634,8 +634,8 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -679,8 +679,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -705,8 +705,8 @@ record! {
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         pub satellite_id: u8,
-        /// Indicator of the range error that is left after fast and long-term corrections, the
-        /// atmosphere apart; 14 is not monitored, 15 not usable.
+        /// Indicator of the range error that remains after fast and long-term corrections, not
+        /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
         /// Range: 0 to 15. Valid if
         /// [`valid_flags.udrei`](crate::gnss_1::SbasCorrectionFlags::udrei) is set.
@@ -735,10 +735,10 @@ field! {
 record! {
     /// RF error detection (0x81,0x14).
     ///
-    /// Jamming and spoofing as the receiver detects them in one band.
+    /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -773,10 +773,10 @@ field! {
 record! {
     /// Satellite status (0x81,0x20).
     ///
-    /// Where one satellite stands, and its health.
+    /// Direction to one satellite, and its health.
     ///
-    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
@@ -833,8 +833,8 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -934,8 +934,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -982,10 +982,10 @@ field! {
 record! {
     /// RTK corrections status (0x81,0x31).
     ///
-    /// Which corrections come, and how old they are.
+    /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -1001,7 +1001,7 @@ record! {
         /// [`valid_flags.week_number`](crate::gnss_1::RtkCorrectionsStatusFlags::week_number) is
         /// set.
         pub week_number: u16,
-        /// Corrections that came during this epoch.
+        /// Corrections received during this epoch.
         ///
         /// Valid if
         /// [`valid_flags.epoch_status`](crate::gnss_1::RtkCorrectionsStatusFlags::epoch_status) is
@@ -1013,8 +1013,8 @@ record! {
         /// [`valid_flags.dongle_status`](crate::gnss_1::RtkCorrectionsStatusFlags::dongle_status)
         /// is set.
         ///
-        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
-        ///   of its two forms.
+        /// - The same word as in the response to
+        ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1056,10 +1056,10 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1230,7 +1230,7 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -1292,7 +1292,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
-        /// Acceleration of the satellite by perturbations, in PZ-90.
+        /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
@@ -1361,12 +1361,12 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1536,12 +1536,12 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1712,7 +1712,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1752,8 +1753,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -1778,8 +1779,8 @@ record! {
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)
-        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each stands
-        /// for.
+        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each
+        /// represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
         pub valid_flags: crate::gnss_1::GalileoIonoCorrectionFlags,
@@ -1796,8 +1797,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]

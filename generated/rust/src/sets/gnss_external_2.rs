@@ -1,8 +1,8 @@
-//! External GNSS data 2 (0x95): What a second external GNSS receiver tells the device.
+//! External GNSS data 2 (0x95): Data that a second external GNSS receiver sends to the device.
 //!
 //! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
-//! GNSS data sets the same fields. Uncertain: The name. It is that of a page on the 3DM-CV7-INS
-//! that the vendor put up for trial; the SDK calls the set GNSS 5.
+//! GNSS data sets the same fields. Uncertain: The name. It is from a page on the 3DM-CV7-INS that
+//! the vendor published for trial; the SDK calls the set GNSS 5.
 //!
 //! Source: mip-sdk-4: Gnss5 Data (0x95).
 
@@ -18,7 +18,7 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
-    /// `pos_llh`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `pos_llh`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -71,7 +71,7 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `pos_ecef`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -102,7 +102,7 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
-    /// `vel_ned`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `vel_ned`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -153,7 +153,7 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `vel_ecef`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -183,8 +183,8 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -231,8 +231,8 @@ record! {
     ///
     /// Coordinated universal time as the receiver knows it.
     ///
-    /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -272,7 +272,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// How far the time is valid.
+        /// Which parts of the time are valid.
         pub valid_flags: crate::gnss_1::UtcTimeFlags,
     }
 }
@@ -286,8 +286,8 @@ record! {
     ///
     /// GPS time as the receiver knows it.
     ///
-    /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -315,10 +315,10 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it and tells more.
+    /// - Clock info 2 replaces it and gives more detail.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -349,10 +349,10 @@ field! {
 record! {
     /// Fix info (0x95,0x0B).
     ///
-    /// Type of the position fix and what it is made of.
+    /// Type of the position fix and what it is based on.
     ///
-    /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -361,11 +361,11 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](crate::gnss_1::FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
-        /// Number of satellites of the fix.
+        /// Number of satellites used in the fix.
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](crate::gnss_1::FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// Aids of the fix.
+        /// What the fix uses.
         ///
         /// Valid if [`valid_flags.fix_flags`](crate::gnss_1::FixInfoFlags::fix_flags) is set.
         pub fix_flags: crate::gnss_1::FixFlags,
@@ -383,11 +383,11 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these
-    /// fields or several.
+    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
+    /// these fields or several.
     ///
-    /// - The satellites come as one field each, in packets apart from other GNSS data.
+    /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -434,7 +434,7 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-    /// `hw_status`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `hw_status`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -468,10 +468,10 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is that of a manual of the
-    /// 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.
-    /// Uncertain: The SDK has another one, u8, three floats and u16, which is that of
+    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: The layout is from a manual of
+    /// the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
+    /// Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
     /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
     /// flags (age, base station id, base station status, number of channels).
     ///
@@ -515,10 +515,10 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The active satellites come as one field each, all in one packet.
+    /// - Each active satellite is sent as one field, all in one packet.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -558,8 +558,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It supersedes clock info.
     ///
@@ -598,8 +598,8 @@ record! {
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -623,8 +623,8 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -668,8 +668,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -694,8 +694,8 @@ record! {
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         pub satellite_id: u8,
-        /// Indicator of the range error that is left after fast and long-term corrections, the
-        /// atmosphere apart; 14 is not monitored, 15 not usable.
+        /// Indicator of the range error that remains after fast and long-term corrections, not
+        /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
         /// Range: 0 to 15. Valid if
         /// [`valid_flags.udrei`](crate::gnss_1::SbasCorrectionFlags::udrei) is set.
@@ -724,10 +724,10 @@ field! {
 record! {
     /// RF error detection (0x95,0x14).
     ///
-    /// Jamming and spoofing as the receiver detects them in one band.
+    /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default, Eq, Hash)]
@@ -762,10 +762,10 @@ field! {
 record! {
     /// Satellite status (0x95,0x20).
     ///
-    /// Where one satellite stands, and its health.
+    /// Direction to one satellite, and its health.
     ///
-    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
@@ -822,8 +822,8 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -923,8 +923,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -971,10 +971,10 @@ field! {
 record! {
     /// RTK corrections status (0x95,0x31).
     ///
-    /// Which corrections come, and how old they are.
+    /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -990,7 +990,7 @@ record! {
         /// [`valid_flags.week_number`](crate::gnss_1::RtkCorrectionsStatusFlags::week_number) is
         /// set.
         pub week_number: u16,
-        /// Corrections that came during this epoch.
+        /// Corrections received during this epoch.
         ///
         /// Valid if
         /// [`valid_flags.epoch_status`](crate::gnss_1::RtkCorrectionsStatusFlags::epoch_status) is
@@ -1002,8 +1002,8 @@ record! {
         /// [`valid_flags.dongle_status`](crate::gnss_1::RtkCorrectionsStatusFlags::dongle_status)
         /// is set.
         ///
-        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
-        ///   of its two forms.
+        /// - The same word as in the response to
+        ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1045,10 +1045,10 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Default)]
@@ -1219,7 +1219,7 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -1281,7 +1281,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
-        /// Acceleration of the satellite by perturbations, in PZ-90.
+        /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
@@ -1350,12 +1350,12 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Default)]
@@ -1525,12 +1525,12 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Default)]
@@ -1701,7 +1701,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Default)]
@@ -1741,8 +1742,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Copy, Default)]
@@ -1767,8 +1768,8 @@ record! {
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)
-        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each stands
-        /// for.
+        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each
+        /// represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
         pub valid_flags: crate::gnss_1::GalileoIonoCorrectionFlags,
@@ -1785,8 +1786,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss5 Data (0x95).
     #[derive(Default)]

@@ -9,7 +9,7 @@ use crate::types;
 pub const SET: u8 = 0x0C;
 
 record! {
-    /// A field that a poll asks for.
+    /// A field requested by a poll.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -27,12 +27,12 @@ item! { PollEntry { descriptor reserved } }
 constructors! {
     PollEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(descriptor: u8), reserved: 0;
 }
 
 open_enum! {
-    /// What happens to the message formats that are set.
+    /// What happens to the existing message formats.
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     FactoryStreamingAction: u8 {
@@ -40,7 +40,7 @@ open_enum! {
         OVERWRITE = 0, "overwrite";
         /// The support fields are merged into the formats; the order may change.
         MERGE = 1, "merge";
-        /// The support fields are added behind the formats; fields may occur twice.
+        /// The support fields are appended to the formats; fields may occur twice.
         ADD = 2, "add";
     }
 }
@@ -89,11 +89,11 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Channels that are kept for it.
+        /// Channels reserved for it.
         ///
         /// Unit: 1. Range: 0 to 32.
         pub reserved_channels: u8,
-        /// Channels that it takes at most.
+        /// Maximum number of channels that it uses.
         ///
         /// Unit: 1. Range: 0 to 32.
         pub max_channels: u8,
@@ -106,7 +106,7 @@ item! { ConstellationSettingsEntry { constellation_id enable reserved_channels m
 constructors! {
     ConstellationSettingsEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         constellation_id: ConstellationId,
         enable: u8,
@@ -121,7 +121,7 @@ bitfield! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     SbasOptions: u16 {
-        /// SBAS pseudoranges take part in the position solution. Bit 0.
+        /// SBAS pseudoranges are used in the position solution. Bit 0.
         ENABLE_RANGING: bool = 0,
             enable_ranging, set_enable_ranging, with_enable_ranging;
         /// SBAS differential corrections are applied. Bit 1.
@@ -164,7 +164,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Which part of the event system is asked about.
+    /// The part of the event system that is queried.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     EventSupportQuery: u8 {
@@ -184,7 +184,7 @@ record! {
         /// Type of triggers, or of actions.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
-        /// Instances of this type at most.
+        /// Maximum number of instances of this type.
         ///
         /// Unit: 1.
         pub count: u8,
@@ -199,7 +199,7 @@ item! { EventSupportInfo { type_ count } }
 constructors! {
     EventSupportInfo
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(type_: u8, count: u8);
 }
 
@@ -225,7 +225,7 @@ item! { EventTriggerStatusEntry { type_ status } }
 constructors! {
     EventTriggerStatusEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(type_: types::EventTriggerType, status: types::EventTriggerStatus);
 }
 
@@ -246,7 +246,7 @@ item! { EventActionStatusEntry { action_type trigger_id } }
 constructors! {
     EventActionStatusEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(action_type: types::EventActionType, trigger_id: u8);
 }
 
@@ -297,12 +297,12 @@ item! { SensorRangeEntry { setting range } }
 constructors! {
     SensorRangeEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(setting: u8, range: f32);
 }
 
 open_enum! {
-    /// How much a device status tells.
+    /// Level of detail of a device status.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
     DeviceStatusSelector: u8 {
@@ -332,7 +332,7 @@ open_enum! {
 record! {
     /// Poll IMU Data (0x0C,0x01).
     ///
-    /// Asks for one sensor data packet (0x80) with the fields listed, in their order.
+    /// Requests one sensor data packet (0x80) with the listed fields, in the listed order.
     ///
     /// Also called `poll_imu_message`. Not acknowledged if
     /// [`suppress_ack`](PollImuData::suppress_ack) is true. Supported by
@@ -341,12 +341,13 @@ record! {
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
     ///
-    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - An empty list polls the stored message format; if none is stored, the device refuses the
+    ///   command.
     /// - Descriptors that the device does not know are ignored.
-    /// - The data comes in a packet of its own behind the reply.
+    /// - The data is sent in a separate packet after the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
     #[derive(Default, Eq, Hash)]
@@ -366,7 +367,7 @@ record! {
 constructors! {
     PollImuData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -382,22 +383,22 @@ command! {
 record! {
     /// Poll GNSS Data (0x0C,0x02).
     ///
-    /// Asks for one GNSS data packet with the fields listed, in their order.
+    /// Requests one GNSS data packet with the listed fields, in the listed order.
     ///
     /// Also called `poll_gnss_message`. Not acknowledged if
     /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK
-    /// only.
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain
+    /// MIP SDK.
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
     ///
-    /// - An empty list polls what [`GnssMessageFormat`] has stored; without that the device
-    ///   refuses.
-    /// - Descriptors that the device does not know are left out.
-    /// - The data comes in a packet of its own behind the reply.
+    /// - An empty list polls the format stored by [`GnssMessageFormat`]; if none is stored, the
+    ///   device refuses the command.
+    /// - Descriptors that the device does not know are omitted.
+    /// - The data is sent in a separate packet after the reply.
     ///
     /// Source: mip-sdk-4: Poll Gnss Message (0x0C,0x02).
     #[derive(Default, Eq, Hash)]
@@ -406,8 +407,8 @@ record! {
         pub suppress_ack: crate::Bool,
         /// Fields to send.
         ///
-        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say
-        /// what a poll does with it.
+        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say how
+        /// a poll uses it.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -420,7 +421,7 @@ record! {
 constructors! {
     PollGnssData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -436,7 +437,7 @@ command! {
 record! {
     /// Poll Estimation Filter Data (0x0C,0x03).
     ///
-    /// Asks for one filter data packet (0x82) with the fields listed, in their order.
+    /// Requests one filter data packet (0x82) with the listed fields, in the listed order.
     ///
     /// Also called `poll_filter_message`. Not acknowledged if
     /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Supported by
@@ -444,12 +445,13 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
     ///
-    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - An empty list polls the stored message format; if none is stored, the device refuses the
+    ///   command.
     /// - Descriptors that the device does not know are ignored.
-    /// - The data comes in a packet of its own behind the reply.
+    /// - The data is sent in a separate packet after the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03).
     #[derive(Default, Eq, Hash)]
@@ -469,7 +471,7 @@ record! {
 constructors! {
     PollFilterData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -485,19 +487,20 @@ command! {
 record! {
     /// Poll NMEA Data (0x0C,0x04).
     ///
-    /// Asks for the NMEA sentences listed, once.
+    /// Requests the listed NMEA sentences once.
     ///
     /// Also called `nmea_poll_data`. Not acknowledged if
     /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](PollNmeaData::format_entries).
     ///
-    /// - An empty list polls the stored NMEA format; without one the device refuses.
-    /// - The sentences follow the reply as ordinary NMEA text, on the port of the command even if
-    ///   NMEA is off there.
+    /// - An empty list polls the stored NMEA format; if none is stored, the device refuses the
+    ///   command.
+    /// - The sentences follow the reply as ordinary NMEA text, on the port of the command, even if
+    ///   NMEA is disabled there.
     /// - A sentence is sent only if its data is valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04).
@@ -518,7 +521,7 @@ record! {
 constructors! {
     PollNmeaData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, format_entries: impl Into<crate::List<types::NmeaMessage, 50>>);
 }
 
@@ -534,7 +537,7 @@ command! {
 record! {
     /// Get IMU Data Base Rate (0x0C,0x06).
     ///
-    /// Asks for the rate that the decimations of the IMU message format divide.
+    /// Gets the rate that is divided by the decimations of the IMU message format.
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -550,7 +553,7 @@ record! {
 constructors! {
     GetImuBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -566,12 +569,12 @@ command! {
 record! {
     /// Get GNSS Data Base Rate (0x0C,0x07).
     ///
-    /// Asks for the rate that the decimations of the GNSS message format divide.
+    /// Gets the rate that is divided by the decimations of the GNSS message format.
     ///
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -581,7 +584,7 @@ record! {
 constructors! {
     GetGnssBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -606,14 +609,14 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
     ///   by the wanted rate.
-    /// - The list replaces the one before. If any descriptor is unknown the device refuses and
-    ///   changes nothing.
+    /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
+    ///   command and changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
     #[derive(Eq, Hash)]
@@ -640,7 +643,7 @@ constructors! {
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -674,7 +677,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -707,7 +710,7 @@ constructors! {
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -741,14 +744,14 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get estimation filter data base rate command
     ///   reports it, divided by the wanted rate.
-    /// - The list replaces the one before. If any descriptor is unknown the device refuses and
-    ///   changes nothing.
+    /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
+    ///   command and changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
     #[derive(Eq, Hash)]
@@ -775,7 +778,7 @@ constructors! {
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -800,7 +803,7 @@ command! {
 record! {
     /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
     ///
-    /// Asks for the rate that the decimations of the estimation filter message format divide.
+    /// Gets the rate that is divided by the decimations of the estimation filter message format.
     ///
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -815,7 +818,7 @@ record! {
 constructors! {
     GetFilterBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -838,7 +841,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -870,7 +873,7 @@ constructors! {
     /// Apply the new setting.
     fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -895,18 +898,19 @@ command! {
 record! {
     /// Poll Data (0x0C,0x0D).
     ///
-    /// Asks for one data packet of the descriptor set with the fields listed, in their order.
+    /// Requests one data packet of the descriptor set with the listed fields, in the listed order.
     ///
     /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
     ///
-    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - An empty list polls the stored message format; if none is stored, the device refuses the
+    ///   command.
     /// - Descriptors that the device does not know are ignored.
-    /// - The data comes in a packet of its own behind the reply, on the port of the command.
-    /// - Shared descriptors (0xD0 and up) belong in front of the others.
+    /// - The data is sent in a separate packet after the reply, on the port of the command.
+    /// - List shared descriptors (0xD0 and up) before the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D).
     #[derive(Default, Eq, Hash)]
@@ -931,7 +935,7 @@ record! {
 constructors! {
     PollData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         descriptor_set: u8,
         suppress_ack: bool,
@@ -951,7 +955,7 @@ command! {
 record! {
     /// Get Data Base Rate (0x0C,0x0E).
     ///
-    /// Asks for the rate that the decimations of a descriptor set divide.
+    /// Gets the rate that is divided by the decimations of a descriptor set.
     ///
     /// Answered by [`GetBaseRateResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -969,7 +973,7 @@ record! {
 constructors! {
     GetBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(descriptor_set: u8);
 }
 
@@ -992,14 +996,14 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get data base rate command reports it, divided by
     ///   the wanted rate.
-    /// - Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in
-    ///   front of the others.
+    /// - List shared descriptors (0xD0 and up) under the set whose packets will contain them,
+    ///   before the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
     #[derive(Eq, Hash)]
@@ -1029,7 +1033,7 @@ constructors! {
     /// Apply the new setting.
     fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(descriptor_set: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1054,14 +1058,14 @@ command! {
 record! {
     /// Factory Streaming (0x0C,0x10).
     ///
-    /// Sets all message formats to those that technical support wants to have recorded.
+    /// Sets all message formats to those that technical support needs in a recording.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct FactoryStreaming {
-        /// What happens to the present formats.
+        /// What happens to the existing formats.
         pub action: FactoryStreamingAction,
         /// Reserved: send 0.
         pub reserved: u8,
@@ -1071,7 +1075,7 @@ record! {
 constructors! {
     FactoryStreaming
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(action: FactoryStreamingAction), reserved: 0;
 }
 
@@ -1109,8 +1113,8 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
     /// [3DM-MV5-AR](crate::devices::MV5_AR).
     ///
-    /// - 5-series devices name the stream by a number of their own ([`LegacyDataStream`]), others
-    ///   by its descriptor set.
+    /// - 5-series devices identify the stream by a number ([`LegacyDataStream`]), other devices by
+    ///   its descriptor set.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1153,7 +1157,7 @@ constructors! {
     /// Apply the new setting.
     fn write(descriptor_set: u8, enable: bool) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(descriptor_set: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1209,21 +1213,20 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
-    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default, as
-    /// the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS
-    /// too.
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default.
+    /// The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
     ///
-    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The device refuses entries whose reserved channels exceed 32 in all. No entry may have
-    ///   fewer channels at most than it reserves.
-    /// - GLONASS and BeiDou exclude each other.
-    /// - If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
-    /// - SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for
+    /// - The device refuses entries that reserve more than 32 channels in total. The maximum of an
+    ///   entry must not be less than the number of channels it reserves.
+    /// - GLONASS and BeiDou cannot be used together.
+    /// - If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off.
+    /// - SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for
     ///   safety-of-life use.
-    /// - Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+    /// - Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16,
     ///   GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
@@ -1232,7 +1235,8 @@ record! {
     pub struct ConstellationSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// Tracking channels in use at most; no more than the response reports as available.
+        /// Maximum number of tracking channels in use; at most the number that the response reports
+        /// as available.
         ///
         /// Unit: 1. Required for [write](types::FunctionSelector::WRITE).
         pub max_channels: Option<u16>,
@@ -1257,7 +1261,7 @@ constructors! {
     /// Apply the new setting.
     fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1291,9 +1295,9 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns). Required
-    /// for [write](types::FunctionSelector::WRITE).
+    /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
+    /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
+    /// Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Eq, Hash)]
@@ -1338,7 +1342,7 @@ constructors! {
         included_prns: impl Into<crate::List<u16, 124>>,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1363,20 +1367,21 @@ command! {
 record! {
     /// GNSS Assisted Fix (0x0C,0x23).
     ///
-    /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+    /// Whether the GNSS receiver keeps the data of its last fix and starts from it at the next
+    /// power-up.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
     ///   best.
-    /// - A change from enabled to none erases the flash memory of the receiver, which stands 100
-    ///   000 erasures.
-    /// - It takes slightly more power.
+    /// - A change from enabled to none erases the flash memory of the receiver, which is rated for
+    ///   100 000 erasures.
+    /// - The power consumption is slightly higher.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -1406,7 +1411,7 @@ constructors! {
     /// Apply the new setting.
     fn write(option: AssistedFixOption) = WRITE, flags: 255;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1431,12 +1436,12 @@ command! {
 record! {
     /// GNSS Time Assistance (0x0C,0x24).
     ///
-    /// Tells the GNSS receiver the present GPS time.
+    /// Gives the GNSS receiver the current GPS time.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
     /// by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
@@ -1476,7 +1481,7 @@ constructors! {
         accuracy: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 }
 
@@ -1501,8 +1506,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
-    /// - The pins are configured apart from this by the GPIO configuration command.
-    /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+    /// - The pins are configured separately, by the GPIO configuration command.
+    /// - The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Copy, Eq, Hash)]
@@ -1529,7 +1534,7 @@ constructors! {
     /// Apply the new setting.
     fn write(source: PpsSource) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1554,7 +1559,7 @@ command! {
 record! {
     /// Get Supported Events (0x0C,0x2A).
     ///
-    /// Asks which types of event triggers or actions there are and how many of each.
+    /// Gets the types of event triggers or actions that the device has, and how many of each.
     ///
     /// Answered by [`GetEventSupportResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -1570,7 +1575,7 @@ record! {
 constructors! {
     GetEventSupport
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(query: EventSupportQuery);
 }
 
@@ -1622,7 +1627,7 @@ constructors! {
     /// Apply the new setting.
     fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(instance: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1647,13 +1652,13 @@ command! {
 record! {
     /// Get Event Trigger Status (0x0C,0x2C).
     ///
-    /// Asks for the type and the state of event triggers.
+    /// Gets the type and the state of event triggers.
     ///
     /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `requested_count`: Number of triggers asked for; 0 asks for all
-    /// slots. The number of elements of
+    /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
+    /// all slots. The number of elements of
     /// [`requested_instances`](GetEventTriggerStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -1671,7 +1676,7 @@ record! {
 constructors! {
     GetEventTriggerStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(requested_instances: impl Into<crate::List<u8, 252>>);
 }
 
@@ -1687,12 +1692,12 @@ command! {
 record! {
     /// Get Event Action Status (0x0C,0x2D).
     ///
-    /// Asks for the type and the trigger of event actions.
+    /// Gets the type and the trigger of event actions.
     ///
     /// Answered by [`GetEventActionStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `requested_count`: Number of actions asked for; 0 asks for all
+    /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
     /// slots. The number of elements of
     /// [`requested_instances`](GetEventActionStatus::requested_instances).
     ///
@@ -1711,7 +1716,7 @@ record! {
 constructors! {
     GetEventActionStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(requested_instances: impl Into<crate::List<u8, 252>>);
 }
 
@@ -1799,7 +1804,7 @@ constructors! {
     /// Apply the new setting.
     fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(instance: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1901,7 +1906,7 @@ constructors! {
         parameters: EventActionConfigParameters,
     ) = WRITE, type_: parameters.tag();
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(instance: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -1984,15 +1989,15 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
-    ///   back may be another form of it.
-    /// - The mounting is reached from the vehicle frame by turning about the sensor's own z, y and
-    ///   x axes by yaw, pitch and roll.
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
+    ///   value read back may be another form of it.
+    /// - Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
+    ///   about its own z, y and x axes, in this order.
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
     /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
     ///   rate and gravity of the filter.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
-    /// - On some older products the setting means the inverse rotation.
+    /// - On some older devices the setting is the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Copy)]
@@ -2030,7 +2035,7 @@ constructors! {
         yaw: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2064,8 +2069,8 @@ record! {
     /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
-    ///   back may be another form of it.
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
+    ///   value read back may be another form of it.
     /// - `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
@@ -2094,7 +2099,7 @@ constructors! {
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2128,8 +2133,8 @@ record! {
     /// [`SensorToVehicleTransformDcmResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
-    ///   back may be another form of it.
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
+    ///   value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
@@ -2158,7 +2163,7 @@ constructors! {
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2221,7 +2226,7 @@ constructors! {
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2296,7 +2301,7 @@ constructors! {
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2325,7 +2330,7 @@ command! {
 record! {
     /// Capture Gyroscope Bias (0x0C,0x39).
     ///
-    /// Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+    /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
@@ -2335,9 +2340,9 @@ record! {
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - The device must stand still, with as little vibration as possible, for the whole time.
+    /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
-    /// - The bias is not saved; the gyroscope bias configuration command with save does it.
+    /// - The bias is not saved; to save it, use the gyroscope bias configuration command with save.
     /// - The 3DM-GX5-15 also initializes its orientation from the samples.
     ///
     /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
@@ -2354,7 +2359,7 @@ record! {
 constructors! {
     CaptureGyroBias
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(averaging_time_ms: u16);
 }
 
@@ -2420,7 +2425,7 @@ constructors! {
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2497,7 +2502,7 @@ constructors! {
     /// Apply the new setting.
     fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2558,7 +2563,7 @@ constructors! {
     /// Apply the new setting.
     fn write(enable: bool) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2594,10 +2599,10 @@ record! {
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
     ///
-    /// - The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
-    /// - The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then
-    ///   nothing is certain.
-    /// - Set the device to idle first, send the command in a packet of its own and wait 250 ms
+    /// - The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
+    /// - The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then,
+    ///   commands and data may be lost.
+    /// - Set the device to idle first, send the command in a separate packet, and wait 250 ms
     ///   afterwards.
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
@@ -2625,7 +2630,7 @@ constructors! {
     /// Apply the new setting.
     fn write(baud: u32) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2660,10 +2665,10 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Not every pin has every feature.
-    /// - Configure the function behind an output before its pin, and the pin of an input before its
-    ///   function.
-    /// - A configuration that only one pin can have passes to the latest pin; the earlier pin is
-    ///   reset.
+    /// - For an output, configure the function first, then the pin; for an input, configure the pin
+    ///   first, then the function.
+    /// - A configuration that only one pin can have moves to the last pin configured; the earlier
+    ///   pin is reset.
     /// - With NMEA input at most one pin may be a UART input; set it to unused before another one
     ///   takes over.
     ///
@@ -2679,7 +2684,7 @@ record! {
         /// Default: [`types::GpioFeature::UNUSED`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub feature: Option<types::GpioFeature>,
-        /// Role of the pin within the feature; 0 where the feature names none.
+        /// Role of the pin within the feature; 0 if the feature has no roles.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). If
         /// [`feature`](GpioConfig::feature) is [`types::GpioFeature::UNUSED`]: values of
@@ -2717,7 +2722,7 @@ constructors! {
         pin_mode: types::GpioPinMode,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(pin: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2817,12 +2822,12 @@ record! {
     /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - What is read is the level of the pin itself.
-    /// - Writing shows only on a pin that is configured as an output.
-    /// - An event action of mode `active_high` or `active_low` on the pin overrides what is
-    ///   written.
-    /// - Reading is sure to work only with the gpio feature.
-    /// - The state at power-up is a matter of the GPIO configuration command.
+    /// - A read returns the level of the pin itself.
+    /// - A write has an effect only on a pin that is configured as an output.
+    /// - An event action of mode `active_high` or `active_low` on the pin overrides the written
+    ///   state.
+    /// - Reading is guaranteed to work only with the gpio feature.
+    /// - The GPIO configuration command determines the state at power-up.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Eq, Hash)]
@@ -2851,7 +2856,7 @@ constructors! {
     /// Apply the new setting.
     fn write(pin: u8, state: bool) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(pin: u8) = READ;
 }
 
@@ -2884,7 +2889,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<OdometerMode>,
-        /// Pulses over the distance travelled; negative if the encoder turns backwards.
+        /// Pulses per distance travelled; negative if the encoder turns backwards.
         ///
         /// Unit: pulse/m. Required for [write](types::FunctionSelector::WRITE).
         ///
@@ -2913,7 +2918,7 @@ constructors! {
         uncertainty: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -2975,11 +2980,11 @@ record! {
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
-        /// True uses the frequency; false follows half the rate of the message format.
+        /// True uses `frequency`; false uses half the rate of the message format.
         ///
         /// Default: false. Required for [write](types::FunctionSelector::WRITE).
         pub manual: Option<crate::Bool>,
-        /// Cutoff (-3 dB). It has no meaning if manual is false.
+        /// Cutoff (-3 dB). It has no meaning if `manual` is false.
         ///
         /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-15](crate::devices::GX5_15): range at most 250.
@@ -3008,7 +3013,7 @@ constructors! {
         frequency: u16,
     ) = WRITE, reserved: 0;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(target_descriptor: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3033,8 +3038,8 @@ command! {
 record! {
     /// Complementary Filter Configuration (0x0C,0x51).
     ///
-    /// Corrections of the complementary filter, which makes attitudes apart from the estimation
-    /// filter.
+    /// Corrections of the complementary filter, which computes the attitude independently of the
+    /// estimation filter.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3047,7 +3052,8 @@ record! {
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
+    /// - Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is
+    ///   zero.
     /// - The heading follows the magnetometer, if the device has one.
     /// - The device refuses time constants out of range.
     /// - The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
@@ -3103,7 +3109,7 @@ constructors! {
         heading_time_constant: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3135,8 +3141,8 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The get calibrated sensor ranges command lists the settings. The device may refuse others
-    ///   or measure wrongly.
+    /// - The get calibrated sensor ranges command lists the settings. The device may refuse other
+    ///   settings, or measure incorrectly with them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Eq, Hash)]
@@ -3163,7 +3169,7 @@ constructors! {
     /// Apply the new setting.
     fn write(sensor: SensorRangeType, setting: u8) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(sensor: SensorRangeType) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3188,7 +3194,7 @@ command! {
 record! {
     /// Get Calibrated Sensor Ranges (0x0C,0x53).
     ///
-    /// Asks for the ranges that a sensor supports.
+    /// Gets the ranges that a sensor supports.
     ///
     /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -3204,7 +3210,7 @@ record! {
 constructors! {
     GetCalibratedSensorRanges
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(sensor: SensorRangeType);
 }
 
@@ -3230,8 +3236,8 @@ record! {
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
-    ///   sets.
+    /// - Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all
+    ///   sets are meant.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Copy)]
@@ -3246,11 +3252,11 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
-        /// True uses the frequency; false follows half the rate of the field in the message format.
+        /// True uses `frequency`; false uses half the rate of the field in the message format.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub manual: Option<crate::Bool>,
-        /// Cutoff; a write ignores it if manual is false, a read gives the cutoff in use.
+        /// Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
         ///
         /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
@@ -3277,7 +3283,7 @@ constructors! {
         frequency: f32,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(descriptor_set: u8, field_descriptor: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -3302,7 +3308,7 @@ command! {
 record! {
     /// Device Status (0x0C,0x64).
     ///
-    /// Asks for the state of the device, in short or with counters.
+    /// Gets the state of the device, in basic form or with counters.
     ///
     /// For advanced use. Answered by [`DeviceStatusBasicResponse`],
     /// [`DeviceStatusBasicWithoutStateResponse`], [`DeviceStatusDiagnosticResponse`],
@@ -3322,22 +3328,22 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The device expects its own model number, which
-    ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) tells.
-    /// - Families of devices answer in layouts of their own. The selector and the length tell them
-    ///   apart.
+    ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
+    /// - Families of devices answer in different layouts. The selector and the length distinguish
+    ///   them.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatus {
-        /// Model number of the device that is asked.
+        /// Model number of the device that answers.
         ///
         /// On the [3DM-GX5-15](crate::devices::GX5_15): always 6254. On the
         /// [3DM-GX5-35](crate::devices::GX5_35): always 6252. On the
         /// [3DM-GX5-45](crate::devices::GX5_45): always 6251.
         pub model_number: u16,
-        /// How much the answer tells.
+        /// Level of detail of the answer.
         pub status_selector: DeviceStatusSelector,
     }
 }
@@ -3345,7 +3351,7 @@ record! {
 constructors! {
     DeviceStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(model_number: u16, status_selector: DeviceStatusSelector);
 }
 
@@ -3360,7 +3366,7 @@ command! {
 }
 
 responses! {
-    /// What [`DeviceStatus`] is answered with.
+    /// The answer to [`DeviceStatus`].
     pub enum DeviceStatusResponses {
         /// The response [`DeviceStatusBasicResponse`].
         #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_response"))]
@@ -3397,7 +3403,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
@@ -3424,7 +3430,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
@@ -3452,7 +3458,7 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
@@ -3502,7 +3508,7 @@ record! {
     /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3544,7 +3550,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
-        /// Stream of the command.
+        /// Stream given in the command.
         ///
         /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
         /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
@@ -3666,11 +3672,11 @@ record! {
         ///
         /// Default: true.
         pub enable: crate::Bool,
-        /// True uses the frequency; false follows half the rate of the message format.
+        /// True uses `frequency`; false uses half the rate of the message format.
         ///
         /// Default: false.
         pub manual: crate::Bool,
-        /// Cutoff (-3 dB). It has no meaning if manual is false.
+        /// Cutoff (-3 dB). It has no meaning if `manual` is false.
         ///
         /// Unit: Hz.
         pub frequency: u16,
@@ -3690,7 +3696,7 @@ record! {
     /// Answers [`NmeaMessageFormat`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
@@ -3718,9 +3724,9 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRateResponse {
-        /// Data descriptor set of the command.
+        /// Data descriptor set given in the command.
         pub descriptor_set: u8,
-        /// Base rate; 0 if the rate is variable or unknown and data is sent as it comes.
+        /// Base rate; 0 if the rate is variable or unknown and data is sent as it arrives.
         ///
         /// Unit: Hz.
         pub rate: u16,
@@ -3737,7 +3743,7 @@ record! {
     ///
     /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
@@ -3765,8 +3771,8 @@ record! {
     ///
     /// State and timer.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicWithoutStateResponse`] by the size of
-    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`] by
+    /// the size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3780,7 +3786,7 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
-    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3817,10 +3823,10 @@ field! {
 record! {
     /// Basic Device Status without a state (0x0C,0x90).
     ///
-    /// Timer alone.
+    /// Timer only.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicResponse`] by the size of its data.
-    /// Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicResponse`] by the size of
+    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3833,11 +3839,11 @@ record! {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
-    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it
-    /// too, but for the model number of another device; MSCL has the layout with a state for that
+    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 gives it too,
+    /// but for the model number of another device; MSCL has the layout with a state for that
     /// device.
     ///
-    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3873,7 +3879,7 @@ record! {
     ///
     /// State and timer with the counters of streams and port.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticGnssResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -3890,7 +3896,7 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3980,7 +3986,7 @@ record! {
     ///
     /// State and timer with the counters of pulses, streams, port and receiver.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -3996,10 +4002,11 @@ record! {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX4-45 and the -35
-    /// and -45 of GX5 and CX5; its length is that of a manual. Uncertain: MSCL names the values
-    /// only; the descriptions follow from the names, and times in ms from the system timer.
+    /// and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values;
+    /// the descriptions follow from the names, and the times are assumed to be in ms like the
+    /// system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4123,9 +4130,9 @@ field! {
 record! {
     /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
     ///
-    /// The layout with GNSS, and what could not be started.
+    /// The layout with GNSS, plus what could not be started.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4140,11 +4147,11 @@ record! {
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it.
-    /// Uncertain: MSCL names the values only; the descriptions follow from the names, and times in
-    /// ms from the system timer.
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No known manual gives it. Uncertain: MSCL
+    /// only names the values; the descriptions follow from the names, and the times are assumed to
+    /// be in ms like the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4277,9 +4284,9 @@ field! {
 record! {
     /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
     ///
-    /// The layout with GNSS, and the temperature.
+    /// The layout with GNSS, plus the temperature.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4294,11 +4301,11 @@ record! {
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it.
-    /// Uncertain: MSCL names the values only; the descriptions follow from the names, and times in
-    /// ms from the system timer.
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No known manual gives it. Uncertain: MSCL
+    /// only names the values; the descriptions follow from the names, and the times are assumed to
+    /// be in ms like the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4319,7 +4326,7 @@ record! {
         pub gnss_power_state: u8,
         /// Whether the receiver starts cold at power-on.
         pub cold_start_on_power_on: u8,
-        /// Of the board.
+        /// Temperature of the board.
         ///
         /// Unit: degC. Uncertain: The unit is inferred.
         pub temperature: f32,
@@ -4437,7 +4444,7 @@ record! {
     ///
     /// Timer with the counters of pulses, streams, port and USB.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4452,11 +4459,12 @@ record! {
     /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
-    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it for these
-    /// devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the
-    /// values only; the descriptions follow from the names, and times in ms from the system timer.
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No known manual gives it for these devices;
+    /// the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
+    /// values; the descriptions follow from the names, and the times are assumed to be in ms like
+    /// the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4571,10 +4579,9 @@ field! {
 record! {
     /// Diagnostic Device Status of an IMU (0x0C,0x90).
     ///
-    /// Timer with the sensors that there are, temperature, and the counters of pulses, stream and
-    /// port.
+    /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4590,11 +4597,11 @@ record! {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
-    /// and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values only;
-    /// the descriptions follow from the names, and times in ms from the system timer. Uncertain:
-    /// The units of the ranges are open.
+    /// and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the
+    /// descriptions follow from the names, and the times are assumed to be in ms like the system
+    /// timer. Uncertain: The units of the ranges are not known.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4621,7 +4628,7 @@ record! {
         pub accel_range: u16,
         /// Reserved.
         pub reserved: u32,
-        /// Of the board.
+        /// Temperature of the board.
         ///
         /// Unit: degC. Uncertain: The unit is inferred.
         pub temperature: f32,
@@ -4865,7 +4872,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
@@ -4876,7 +4883,7 @@ record! {
         ///
         /// Unit: 1.
         pub max_channels_available: u16,
-        /// Channels in use at most.
+        /// Maximum number of channels in use.
         ///
         /// Unit: 1.
         pub max_channels_use: u16,
@@ -4903,8 +4910,9 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of [`included_prns`](GnssSbasSettingsResponse::included_prns).
+    /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
+    /// for all. The number of elements of
+    /// [`included_prns`](GnssSbasSettingsResponse::included_prns).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Default, Eq, Hash)]
@@ -4935,7 +4943,7 @@ record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
     /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -4968,7 +4976,7 @@ record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
     /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Copy, Default)]
@@ -5096,13 +5104,13 @@ record! {
     ///
     /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_entries`: Number of types. The number of elements of
+    /// The wire format also contains `num_entries`: Number of types. The number of elements of
     /// [`entries`](GetEventSupportResponse::entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventSupportResponse {
-        /// Query of the command.
+        /// Query given in the command.
         pub query: EventSupportQuery,
         /// Number of slots; instances go from 1 to this.
         ///
@@ -5157,13 +5165,13 @@ record! {
     /// Answers [`GetEventTriggerStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatusResponse {
-        /// One entry per trigger, in the order asked for, or by instance if all were asked for.
+        /// One entry per trigger, in the requested order, or by instance if all were requested.
         pub triggers: crate::List<EventTriggerStatusEntry, 126>,
     }
     wire 253 {
@@ -5183,13 +5191,13 @@ record! {
     /// Answers [`GetEventActionStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatusResponse {
-        /// One entry per action, in the order asked for, or by instance if all were asked for.
+        /// One entry per action, in the requested order, or by instance if all were requested.
         pub actions: crate::List<EventActionStatusEntry, 126>,
     }
     wire 253 {
@@ -5288,7 +5296,7 @@ record! {
         ///
         /// Default: [`types::GpioFeature::UNUSED`].
         pub feature: types::GpioFeature,
-        /// Role of the pin within the feature; 0 where the feature names none.
+        /// Role of the pin within the feature; 0 if the feature has no roles.
         ///
         /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::UNUSED`]: values of
         /// [`types::GpioUnusedBehavior`]. If [`feature`](GpioConfigResponse::feature) is
@@ -5412,7 +5420,7 @@ record! {
     pub struct OdometerConfigResponse {
         /// How the input works.
         pub mode: OdometerMode,
-        /// Pulses over the distance travelled; negative if the encoder turns backwards.
+        /// Pulses per distance travelled; negative if the encoder turns backwards.
         ///
         /// Unit: pulse/m.
         ///
@@ -5456,13 +5464,13 @@ record! {
     /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_ranges`: Number of ranges. The number of elements of
+    /// The wire format also contains `num_ranges`: Number of ranges. The number of elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Default)]
     pub struct GetCalibratedSensorRangesResponse {
-        /// Sensor of the command.
+        /// Sensor given in the command.
         pub sensor: SensorRangeType,
         /// The ranges.
         ///
@@ -5505,9 +5513,9 @@ record! {
         pub field_descriptor: u8,
         /// Whether the field is filtered.
         pub enable: crate::Bool,
-        /// True uses the frequency; false follows half the rate of the field in the message format.
+        /// True uses `frequency`; false uses half the rate of the field in the message format.
         pub manual: crate::Bool,
-        /// Cutoff; a write ignores it if manual is false, a read gives the cutoff in use.
+        /// Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
         ///
         /// Unit: Hz.
         pub frequency: f32,

@@ -66,10 +66,10 @@ open_enum! {
 record! {
     /// Get status flags (0x0F,0x01).
     ///
-    /// Asks for the state of the modem and of the corrections.
+    /// Gets the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`GetStatusFlagsResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -82,7 +82,7 @@ record! {
 constructors! {
     GetStatusFlags
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -98,10 +98,10 @@ command! {
 record! {
     /// Get IMEI (0x0F,0x02).
     ///
-    /// Asks for the identity of the modem.
+    /// Gets the identity of the modem.
     ///
-    /// Answered by [`GetImeiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetImeiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -111,7 +111,7 @@ record! {
 constructors! {
     GetImei
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -127,10 +127,10 @@ command! {
 record! {
     /// Get IMSI (0x0F,0x03).
     ///
-    /// Asks for the identity of the subscriber.
+    /// Gets the identity of the subscriber.
     ///
-    /// Answered by [`GetImsiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetImsiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -140,7 +140,7 @@ record! {
 constructors! {
     GetImsi
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -156,10 +156,10 @@ command! {
 record! {
     /// Get ICCID (0x0F,0x04).
     ///
-    /// Asks for the number of the SIM card.
+    /// Gets the number of the SIM card.
     ///
-    /// Answered by [`GetIccidResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetIccidResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
@@ -169,7 +169,7 @@ record! {
 constructors! {
     GetIccid
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -185,10 +185,10 @@ command! {
 record! {
     /// Get RSSI (0x0F,0x05).
     ///
-    /// Asks for the strength of the cellular signal.
+    /// Gets the strength of the cellular signal.
     ///
-    /// Answered by [`GetRssiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetRssiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
@@ -198,7 +198,7 @@ record! {
 constructors! {
     GetRssi
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -218,8 +218,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
@@ -243,7 +243,7 @@ constructors! {
     /// Apply the new setting.
     fn write(device_type: ConnectedDevice) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -268,10 +268,10 @@ command! {
 record! {
     /// Get activation code (0x0F,0x07).
     ///
-    /// Asks for the activation code.
+    /// Gets the activation code.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -281,7 +281,7 @@ record! {
 constructors! {
     GetActivationCode
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -297,10 +297,10 @@ command! {
 record! {
     /// Get modem firmware version (0x0F,0x08).
     ///
-    /// Asks for the firmware version of the cellular modem.
+    /// Gets the firmware version of the cellular modem.
     ///
-    /// Answered by [`GetModemFirmwareVersionResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`GetModemFirmwareVersionResponse`]. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -310,7 +310,7 @@ record! {
 constructors! {
     GetModemFirmwareVersion
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -326,10 +326,10 @@ command! {
 record! {
     /// Service status (0x0F,0x0A).
     ///
-    /// Asks a correction server about the connection, and so keeps it open.
+    /// Queries a correction server about the connection, which also keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers. No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host answers. Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
@@ -346,7 +346,7 @@ record! {
 constructors! {
     ServiceStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(), reserved1: 0, reserved2: 0;
 }
 
@@ -364,10 +364,10 @@ record! {
     ///
     /// Erases a storage medium down to its raw state.
     ///
-    /// For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from
-    /// the MicroStrain MIP SDK only.
+    /// For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
-    /// - All that is stored is lost. The command is for production.
+    /// - All stored data is lost. The command is for production.
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Prod Erase Storage (0x0F,0x20).
@@ -381,7 +381,7 @@ record! {
 constructors! {
     EraseStorage
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(media: StorageMedium);
 }
 
@@ -398,7 +398,7 @@ record! {
     ///
     /// Colours and pattern of the LED.
     ///
-    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Accepted in calibration mode and production test mode only.
     ///
@@ -425,7 +425,7 @@ record! {
 constructors! {
     LedControl
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         primary_color: [u8; 3],
         alternate_color: [u8; 3],
@@ -447,9 +447,9 @@ record! {
     ///
     /// Clears the flash memory of the modem.
     ///
-    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - It wears the flash memory out; use it rarely.
+    /// - It wears out the flash memory; use it rarely.
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Modem Hard Reset (0x0F,0x22).
@@ -460,7 +460,7 @@ record! {
 constructors! {
     ModemHardReset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -475,7 +475,7 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetStatusFlags`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -493,7 +493,7 @@ field! {
 record! {
     /// Get IMEI response (0x0F,0x82).
     ///
-    /// Answers [`GetImei`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetImei`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -511,7 +511,7 @@ field! {
 record! {
     /// Get IMSI response (0x0F,0x83).
     ///
-    /// Answers [`GetImsi`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetImsi`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -529,7 +529,7 @@ field! {
 record! {
     /// Get ICCID response (0x0F,0x84).
     ///
-    /// Answers [`GetIccid`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetIccid`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
@@ -547,8 +547,8 @@ field! {
 record! {
     /// Get RSSI response (0x0F,0x85).
     ///
-    /// Answers [`GetRssi`]. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
-    /// vouches for the other values is inferred.
+    /// Answers [`GetRssi`]. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
+    /// applies to the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
@@ -574,7 +574,7 @@ field! {
 record! {
     /// Connected device type response (0x0F,0x86).
     ///
-    /// Answers [`ConnectedDeviceType`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`ConnectedDeviceType`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -592,8 +592,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -611,7 +611,7 @@ field! {
 record! {
     /// Get modem firmware version response (0x0F,0x88).
     ///
-    /// Answers [`GetModemFirmwareVersion`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetModemFirmwareVersion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -631,8 +631,8 @@ record! {
     ///
     /// What the server knows of the connection.
     ///
-    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
-    /// the counters count.
+    /// Answers [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
+    /// counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]

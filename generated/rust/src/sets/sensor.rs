@@ -59,7 +59,7 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
     #[derive(Copy, Default)]
@@ -80,7 +80,7 @@ record! {
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
     #[derive(Copy, Default)]
@@ -101,7 +101,7 @@ record! {
     ///
     /// Raw magnetic field in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
     #[derive(Copy, Default)]
@@ -241,7 +241,7 @@ field! {
 record! {
     /// Complementary filter orientation matrix (0x80,0x09).
     ///
-    /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
+    /// Attitude from the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -270,7 +270,7 @@ field! {
 record! {
     /// Complementary filter quaternion (0x80,0x0A).
     ///
-    /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
+    /// Attitude from the complementary filter as a quaternion, relative to the NED frame.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
@@ -298,15 +298,15 @@ field! {
 record! {
     /// Complementary filter orientation update matrix (0x80,0x0B).
     ///
-    /// Change of the attitude by the complementary filter as a matrix.
+    /// Change of the attitude from the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The
-    /// SDK gives the name only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the
+    /// change and the frames. The SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
     #[derive(Copy, Default)]
-    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct CompOrientationUpdateMatrix {
         /// Matrix in row-major order.
         ///
@@ -322,7 +322,7 @@ field! {
 record! {
     /// Complementary filter Euler angles (0x80,0x0C).
     ///
-    /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
+    /// Attitude from the complementary filter as Euler angles, relative to the NED frame.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
@@ -358,16 +358,17 @@ record! {
     ///
     /// Raw readings of four temperature sensors.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. Also called
-    /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Also called
+    /// `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
-    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct OrientationRawTemperature {
         /// Temperatures in counts.
         ///
-        /// Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+        /// Unit: 1. Uncertain: The scale, and which sensor is which.
         pub raw_temperature: [u16; 4],
     }
 }
@@ -381,12 +382,12 @@ record! {
     ///
     /// Free-running counter of the device.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
-    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct InternalTimestamp {
         /// Counter.
         ///
@@ -402,14 +403,14 @@ field! {
 record! {
     /// PPS timestamp (0x80,0x0F).
     ///
-    /// Time that is counted with the pulse per second.
+    /// Time counted by the pulse per second.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only. Uncertain: The epoch.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
-    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    #[deprecated(note = "the SDK marks it as deprecated and names no replacement")]
     pub struct PpsTimestamp {
         /// Whole seconds.
         ///
@@ -484,7 +485,7 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
+    /// - Without a PPS the time runs on the internal clock and jumps when the PPS returns.
     /// - The fraction of the time of week is the time since the last pulse.
     /// - Without external synchronization it is the internal system time.
     /// - Where the device has it, use [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
@@ -573,7 +574,7 @@ record! {
     ///
     /// Raw ambient pressure in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
     #[derive(Copy, Default)]
@@ -635,7 +636,7 @@ field! {
 record! {
     /// Odometer data (0x80,0x40).
     ///
-    /// Speed by the wheel encoder.
+    /// Speed measured by the wheel encoder.
     ///
     /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///

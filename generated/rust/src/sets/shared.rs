@@ -1,5 +1,5 @@
-//! Shared data (0xFF): Fields that every data set can hold. No packet has this set: they come in
-//! packets of the other data sets.
+//! Shared data (0xFF): Fields that every data set can contain. No packet has this descriptor set:
+//! the fields are sent in packets of the other data sets.
 //!
 //! Source: 3dm-cv7-gnss-ins: Shared (0xFF); 3dm-cv7-gnss-ins: Shared Data Descriptors.
 
@@ -49,7 +49,8 @@ record! {
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
+    /// - Put it first in the format of event messages, to distinguish their packets from scheduled
+    ///   ones.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0).
     #[derive(Copy, Default, Eq, Hash)]
@@ -70,9 +71,9 @@ record! {
     ///
     /// Base periods since power-up.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has
-    /// the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates
-    /// it would take longer or shorter.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at
+    /// 1000 Hz; at other rates it would take longer or shorter.
     ///
     /// - One tick is one period of the base rate.
     ///
@@ -96,8 +97,8 @@ record! {
     ///
     /// Base periods since this field was last sent.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each
-    /// set and each event instance counts for itself, as with [`DeltaTime`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether each set and each event instance counts separately, as with [`DeltaTime`].
     ///
     /// - One tick is one period of the base rate.
     ///
@@ -127,8 +128,7 @@ record! {
     /// - It becomes valid after the PPS is locked and
     ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) has set the time of week and the week
     ///   number.
-    /// - With an internal GNSS receiver as PPS source, the device sets the time by itself in most
-    ///   cases.
+    /// - With an internal GNSS receiver as PPS source, the device usually sets the time itself.
     /// - With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by
     ///   the leap seconds, which are 18 s since 2017.
     ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) sets GPS time.

@@ -1,4 +1,4 @@
-//! System (0x7F): Advanced commands of devices that are built from several intelligent parts.
+//! System (0x7F): Advanced commands of devices that consist of several intelligent parts.
 //!
 //! Source: 3dm-gx5-15: 4.4 System Commands.
 
@@ -51,13 +51,13 @@ bitfield! {
 }
 
 open_enum! {
-    /// Which part of the device the host talks to, and in which protocol.
+    /// Which part of the device the host communicates with, and by which protocol.
     ProtocolMode: u8 {
         /// The device itself, MIP.
         STANDARD = 1, "standard";
-        /// The inertial sensor inside, MIP.
+        /// The internal inertial sensor, MIP.
         SENSOR_DIRECT = 2, "sensor_direct";
-        /// The GNSS receiver inside, NMEA and UBX; only on models that have one.
+        /// The internal GNSS receiver, NMEA and UBX; only on models that have one.
         GNSS_DIRECT = 3, "gnss_direct";
     }
 }
@@ -65,7 +65,7 @@ open_enum! {
 record! {
     /// Interface control (0x7F,0x02).
     ///
-    /// Protocols that a port takes in and gives out.
+    /// Protocols that a port receives and sends.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -76,7 +76,7 @@ record! {
     /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
     /// - The device refuses protocols that it or the port does not have, and more parsers than it
     ///   has; then nothing is changed.
-    /// - Answers in an incoming protocol leave by the same port, even if the protocol is not an
+    /// - Answers to an incoming protocol are sent on the same port, even if the protocol is not an
     ///   outgoing one.
     /// - How many parsers and streams there are depends on the device.
     ///
@@ -87,13 +87,13 @@ record! {
         pub function: types::FunctionSelector,
         /// The port.
         ///
-        /// Uncertain: Whether write and read take `all`.
+        /// Uncertain: Whether write and read accept `all`.
         pub port: Option<CommInterface>,
-        /// Protocols that it takes in.
+        /// Protocols that it receives.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_incoming: Option<CommProtocols>,
-        /// Protocols that it gives out.
+        /// Protocols that it sends.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_outgoing: Option<CommProtocols>,
@@ -116,7 +116,7 @@ constructors! {
         protocols_outgoing: CommProtocols,
     ) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(port: CommInterface) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -141,7 +141,7 @@ command! {
 record! {
     /// Communication mode (0x7F,0x10).
     ///
-    /// Switches the port between the device and one of the sensors inside it.
+    /// Switches the port between the device and one of its internal sensors.
     ///
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
@@ -177,7 +177,7 @@ constructors! {
     /// Apply the new setting.
     fn write(mode: ProtocolMode) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -210,11 +210,11 @@ record! {
     pub struct InterfaceControlResponse {
         /// The port.
         ///
-        /// Uncertain: Whether write and read take `all`.
+        /// Uncertain: Whether write and read accept `all`.
         pub port: CommInterface,
-        /// Protocols that it takes in.
+        /// Protocols that it receives.
         pub protocols_incoming: CommProtocols,
-        /// Protocols that it gives out.
+        /// Protocols that it sends.
         pub protocols_outgoing: CommProtocols,
     }
 }

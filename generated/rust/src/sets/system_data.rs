@@ -101,8 +101,8 @@ record! {
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.
-    /// - Only pins that are configured to the GPIO feature by
-    ///   [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig) are sure to give valid levels.
+    /// - Levels are guaranteed to be valid only for pins that
+    ///   [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig) configures for the GPIO feature.
     /// - For fast signals and exact times use the timestamp feature and the event system.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
@@ -122,7 +122,7 @@ record! {
     ///
     /// Voltage at one GPIO pin.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///

@@ -40,10 +40,10 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
     what = f"Adds the command to a packet and waits for its answer: see mip_client_send. {f.title}."
     found = model.responses(f)
     if len(found) == 1:
-        where = "The response goes to `response`, which may be NULL, if the command asks for it."
+        where = "If the command requests the response, it is stored in `response`, which may be NULL."
         return [Send(_name("send", f), found[0], [f"{what} {where}"])]
     plain = Send(_name("send", f), None, [what])
-    return [plain, *(Send(_name("send_for", r), r, [f"{what} It is answered by this response."]) for r in found)]
+    return [plain, *(Send(_name("send_for", r), r, [f"{what} The answer is this response."]) for r in found)]
 
 
 # --------------------------------------------------------------------------- calls
@@ -55,7 +55,7 @@ def calls(f: m.Field, model: m.Model) -> list[Call]:
         return list(_ways(f, None, model))
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
     found = model.responses(f)
-    doc = f"{f.title}: calls the command with these values, optional parameters too. See mip_device_call."
+    doc = f"{f.title}: calls the command with these values, including optional parameters. See mip_device_call."
     name, arguments = f"{_name('call', f)}_with", (f"const struct {field_name(f)} *command",)
     return [*made, Call(name, arguments, "command", False, found[0] if len(found) == 1 else None, [doc])]
 

@@ -17,8 +17,8 @@ from .names import Record
 WIDTH = 100
 
 
-#: Devices that perhaps support a field are many. Headers leave them to the profiles.
-ELSEWHERE = "Devices that may support a field, though it is not certain, are in mip/profiles.h only."
+#: There are many devices that may support a field. Headers leave them to the profiles.
+ELSEWHERE = "Devices that may support a field, but are not certain to, are listed only in mip/profiles.h."
 #: Of a field that no device is certain to support, though some may.
 UNSURE = "No device is certain to support it."
 
@@ -99,12 +99,12 @@ class Comments:
         ]
 
     def present(self, f: m.Field) -> list[str]:
-        """Of the member that tells how many parameters there are."""
-        selector = ", the function selector not counted" if f.functions else ""
-        more = "; with a ..._WITH_... constant, all up to that one" if last_present(f) else ""
+        """Of the member that says how many parameters are present."""
+        selector = ", not counting the function selector" if f.functions else ""
+        more = "; a ..._WITH_... constant for all up to that one" if last_present(f) else ""
         return [
-            f"How many parameters are there{selector}. When decoded: as many have come. To send: 0 for those that are "
-            f"required{more}."
+            f"Number of parameters that are present{selector}. When decoding: those received. To send: 0 for only the "
+            f"required ones{more}."
         ]
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
@@ -143,7 +143,7 @@ class Comments:
         """Parameters that only the wire has."""
         left = [p for p in record.parameters if p not in members(record)]
         items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]
-        return ["\n".join(["On the wire only, without a member:", *items])] if items else []
+        return ["\n".join(["Parameters without a member, on the wire only:", *items])] if items else []
 
 
 def _values(p: m.Parameter) -> list[str]:
@@ -163,7 +163,7 @@ def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
 
 def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> list[str]:
     """The name in the specification, where C has a shorter one."""
-    return [f"In full: {thing.full_name if isinstance(thing, m.Field) else thing.name}."] if thing.short else []
+    return [f"Full name: {thing.full_name if isinstance(thing, m.Field) else thing.name}."] if thing.short else []
 
 
 def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:

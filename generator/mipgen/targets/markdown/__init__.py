@@ -36,6 +36,7 @@ from .index import Index
 from .places import Page, Thing
 
 TITLE = "Reference manual in Markdown, a site with MkDocs"
+LONG = True
 
 
 def files(model: m.Model) -> Iterator[File]:

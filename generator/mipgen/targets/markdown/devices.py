@@ -30,12 +30,12 @@ def differing(page: Page, d: m.Device) -> str:
     """The commands that take other functions on a device than their definition says."""
     found = [s for s in d.supports if s.differs]
     rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in found]
-    return table(rows, ["Command", "Functions here", "All functions"]) if rows else ""
+    return table(rows, ["Command", "Functions on this device", "All functions"]) if rows else ""
 
 
 def deprecated(page: Page, d: m.Device) -> str:
     rows = [[page.link(s.field), page.prose(s.deprecated)] for s in d.supports if s.deprecated]
-    return table(rows, ["Deprecated here", "Instead"]) if rows else ""
+    return table(rows, ["Deprecated on this device", "Instead"]) if rows else ""
 
 
 def remarks(page: Page, d: m.Device) -> list[str]:
@@ -57,7 +57,7 @@ def listed(page: Page) -> str:
 
 
 def hertz(rate: m.Rate) -> str:
-    return f"{describe.number(rate.hertz)} Hz" if rate.hertz else "sent as it comes"
+    return f"{describe.number(rate.hertz)} Hz" if rate.hertz else "sent as it arrives"
 
 
 def base_rate(d: m.Device, s: m.Set) -> str:
@@ -94,7 +94,7 @@ def variants(page: Page, d: m.Device) -> str:
     for v in d.variants:
         said = describe.difference(v.variant, v.parameter, v.field, page.model)
         rows.append([page.link(v.field), code(v.parameter.name), page.say(said)])
-    return table(rows, ["Field", "Parameter", "Here"]) if rows else ""
+    return table(rows, ["Field", "Parameter", "On this device"]) if rows else ""
 
 
 def note_table(note: m.Note) -> str:

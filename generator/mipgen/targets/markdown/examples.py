@@ -96,7 +96,7 @@ def said(f: m.Field, values: Mapping[str, Any]) -> list[Piece]:
 
 
 def _table(pieces: Iterable[Piece]) -> str:
-    return table([[code(spaced(p.data)), p.name, p.value] for p in pieces], ["Bytes", "What", "Value"])
+    return table([[code(spaced(p.data)), p.name, p.value] for p in pieces], ["Bytes", "Part", "Value"])
 
 
 def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
@@ -112,7 +112,7 @@ def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
         at += len(piece.data)
         yield piece
     if part.data[at:]:
-        yield Piece(part.data[at:], "left over" if f else "data", "")
+        yield Piece(part.data[at:], "extra bytes" if f else "data", "")
 
 
 def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:

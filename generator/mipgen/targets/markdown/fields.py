@@ -47,7 +47,7 @@ def field_length(f: m.Field) -> str:
 
 def call_table(page: Page, f: m.Field) -> str:
     """The forms of a command: one for each function, or just one."""
-    headings = ["Field begins", "Then follow", "May follow", "Field length", "Answer"]
+    headings = ["Field begins with", "Required parameters", "Optional parameters", "Field length", "Answer"]
     rows = [_call(page, f, c) for c in f.calls]
     if f.functions:
         headings = ["Function", "Value", *headings]

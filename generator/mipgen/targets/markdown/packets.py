@@ -52,7 +52,7 @@ def ready_packets(page: Page, f: m.Field) -> str:
         if len(pieces) > SHOWN:
             given = f"{len(pieces)} values"
         rows.append([code(spaced(page.index.typical.packet(f, c))), function, given])
-    return table(rows, ["Packet", "Function", "With"])
+    return table(rows, ["Packet", "Function", "Values"])
 
 
 def acknowledge(model: m.Model, f: m.Field, value: int, *responses: tuple[int, bytes]) -> bytes:

@@ -108,7 +108,7 @@ def _extent(bytes_: str) -> str:
 def _size(row: Row) -> str:
     if row.size is not None:
         return _extent(str(row.size))
-    return REST if row.parameter and row.parameter.length == REST else "by case"
+    return REST if row.parameter and row.parameter.length == REST else "depends"
 
 
 def _type(page: Page, row: Row) -> str:

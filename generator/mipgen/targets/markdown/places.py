@@ -96,8 +96,9 @@ def label(thing: Thing) -> str:
 
 
 @cache
-def _relative(path: str, folder: str) -> str:
-    return posixpath.relpath(path, folder)
+def _relative(path: str, page: str) -> str:
+    """The path as a link on a page has it; most pages link the same few, and taking paths apart takes long."""
+    return "" if path == page else posixpath.relpath(path, posixpath.dirname(page))
 
 
 @dataclass(frozen=True)
@@ -116,7 +117,7 @@ class Page:
 
     def url(self, thing: Thing) -> str:
         target, anchor = place(thing, self.model)
-        path = "" if target == self.path else _relative(target, posixpath.dirname(self.path))
+        path = _relative(target, self.path)
         return f"{path}#{anchor}" if anchor else path or posixpath.basename(self.path)
 
     def link(self, thing: Thing, words: str | None = None) -> str:

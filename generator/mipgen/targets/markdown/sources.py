@@ -54,10 +54,10 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
     wrong = page.index.errata_of_length(f, s.manual)
     if wrong:
         by = ", ".join(page.link(e, f"erratum {label(e)}") for e in wrong)
-        return f"length given as {code(s.length)}; it is {right}: {by}"
+        return f"length given as {code(s.length)} instead of {right}: {by}"
     if "".join(s.length.split()) in ("".join(x.split()) for x in (right.strip("`"), computed_length(f, "wire"))):
         return ""
-    return f"length given as {code(s.length)}, without vectors, structures and unions; it is {right}"
+    return f"length given as {code(s.length)} instead of {right}, not counting vectors, structures and unions"
 
 
 def own_lines(thing: m.Field) -> str:

@@ -105,7 +105,7 @@ def _case(c: m.Case, union: m.Parameter, record: Record, model: m.Model) -> str:
 def of_unheld(p: m.Parameter, record: Record, model: m.Model) -> str:
     """A comment on a parameter that objects do not hold, as it follows from the rest."""
     text = _text(p.description, describe.parameter(p, record, model), home(record), model)
-    return comment(f"On the wire: {p.name}. {text}", 4)
+    return comment(f"On the wire only: {p.name}. {text}", 4)
 
 
 def _text(description: str, facts: Iterable[Fact], where: str, model: m.Model) -> str:

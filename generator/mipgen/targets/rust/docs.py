@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from ... import describe
 from ... import model as m
@@ -44,7 +45,7 @@ class Docs:
             if p.derived:
                 description, said, notes = self.parameter(p, record)
                 texts = " ".join(filter(None, (description, said, *notes)))
-                found.append(f"On the wire there is also `{p.name}`: {texts}")
+                found.append(f"The wire format also contains `{p.name}`: {texts}")
         return found
 
     # ------------------------------------------------------------------ types and their parts
@@ -135,6 +136,7 @@ def words(name: str) -> str:
     return f"{name.replace('_', ' ').capitalize()}."
 
 
+@cache
 def prose(text: str) -> str:
     """Words as Markdown: what looks like markup is none, except for code.
 

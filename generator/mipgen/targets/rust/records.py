@@ -108,6 +108,7 @@ class Records:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.unions: list[Union] = []
+        self._members: dict[int, list[Member]] = {}  # those of a record, by its identity
         for record in self.all():
             for p in record.parameters:
                 if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
@@ -158,6 +159,12 @@ class Records:
     # ------------------------------------------------------------------ members
 
     def members(self, record: Record) -> list[Member]:
+        found = self._members.get(id(record))
+        if found is None:
+            found = self._members[id(record)] = self._made(record)
+        return found
+
+    def _made(self, record: Record) -> list[Member]:
         groups = [p for op in record.operations if isinstance(op, m.GroupOp) for p in op.body]
         return [
             Member(member(p.name), self.rust(p.operation, home(record)), p.operation in groups, p)
@@ -183,13 +190,13 @@ class Records:
     def constructors(self, record: Record) -> list[Constructor]:
         if isinstance(record, m.Struct):
             call = m.Call(None, record.parameters, ())
-            return [self._constructor(record, call, "new", "Puts the values together.")]
+            return [self._constructor(record, call, "new", "Creates it from its values.")]
         if record.role != m.COMMAND:
             return []
         return [
             self._constructor(record, call, constructor(call.function), call.function.description)
             if call.function
-            else self._constructor(record, call, "new", "The command with its parameters.")
+            else self._constructor(record, call, "new", "Creates the command from its parameters.")
             for call in record.calls
         ]
 

@@ -16,7 +16,7 @@ class Accel(measurements.Accel):
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. May be supported by Model C.
+    Has the layout of `measurements.Accel`. Maximum rate: 100 Hz. May be supported by Model C.
 
     - guide: Third acceleration
     """
@@ -26,9 +26,9 @@ class Accel(measurements.Accel):
     SET = 0x92
     NAME = "copy.accel"
     scaled_accel: types.Vector3f
-    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-    x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
-    by `types.StateFlags.READY` of `valid_flags`.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+    flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
+    z: `types.StateFlags.READY` of `valid_flags`.
     """
     valid_flags: types.StateFlags
     """What is valid."""
@@ -39,8 +39,8 @@ class Numbers(measurements.Numbers):
 
     One of each.
 
-    Has the layout of `measurements.Numbers`. No device profile lists it. Known from the Kit of
-    names only.
+    Has the layout of `measurements.Numbers`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -56,8 +56,8 @@ class Strings(measurements.Strings):
 
     Fixed, counted, and to the end.
 
-    Has the layout of `measurements.Strings`. No device profile lists it. Known from the Kit of
-    names only.
+    Has the layout of `measurements.Strings`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -73,8 +73,8 @@ class Health(measurements.Health):
 
     The wide bitfield.
 
-    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`. No
-    device profile lists it. Known from the Kit of names only.
+    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`. Not
+    listed in any device profile. Known only from the Kit of names.
 
     - sheet: Copied measurements
     """
@@ -90,8 +90,8 @@ class Arrays(measurements.Arrays):
 
     Arrays of all that can stand in one.
 
-    Has the layout of `measurements.Arrays`. No device profile lists it. Known from the Kit of names
-    only.
+    Has the layout of `measurements.Arrays`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -107,8 +107,8 @@ class Growing(measurements.Growing):
 
     Newer devices send more of it.
 
-    Has the layout of `measurements.Growing`. No device profile lists it. Known from the Kit of
-    names only.
+    Has the layout of `measurements.Growing`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -124,8 +124,8 @@ class Radio(measurements.Radio):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. No device profile lists
-    it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. Not listed in any device
+    profile. Known only from the Kit of names. Uncertain: The leaflet gives the strength two bytes.
     Uncertain: Inferred: the strength is never positive.
 
     - sheet: Copied measurements
@@ -144,8 +144,8 @@ class Cloud(measurements.Cloud):
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Has the layout of `measurements.Cloud`. No device profile lists it. Known from the Kit of names
-    only.
+    Has the layout of `measurements.Cloud`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -161,8 +161,8 @@ class Gust(measurements.Gust):
 
     One valid flag for all values but one; `measurements.Breeze` has the same place.
 
-    Has the layout of `measurements.Gust`. No device profile lists it. Known from the Kit of names
-    only.
+    Has the layout of `measurements.Gust`. Not listed in any device profile. Known only from the Kit
+    of names.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.
@@ -181,8 +181,8 @@ class Breeze(measurements.Breeze):
 
     Its place is told as in `measurements.Gust`.
 
-    Has the layout of `measurements.Breeze`. No device profile lists it. Known from the Kit of names
-    only.
+    Has the layout of `measurements.Breeze`. Not listed in any device profile. Known only from the
+    Kit of names.
 
     - sheet: Copied measurements
     """
@@ -193,7 +193,7 @@ class Breeze(measurements.Breeze):
     NAME = "copy.breeze"
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

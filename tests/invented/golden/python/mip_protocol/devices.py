@@ -1,4 +1,4 @@
-"""What each device supports, and how it reads values that devices read differently."""
+"""What each device supports, and what values mean there that differ between devices."""
 
 from __future__ import annotations
 
@@ -147,8 +147,8 @@ MODEL_C = Device(
     manual=None,
 )
 """Like the model A, with a radio and without a choice. Also called Model See and c. Generation 3.
-Model number 4713. Like the Model A, but for what is said here. No manual of it is known. Uncertain:
-Whether it has a model number of its own.
+Model number 4713. Like the Model A, except as stated here. No manual is known. Uncertain: Whether
+it has a model number of its own.
 
 - sheet: Radio
 """
@@ -178,8 +178,8 @@ OLD_1 = Device(
     generation=1,
     manual=None,
 )
-"""Known by its name and number. Also called First. Generation 1. Model number 4001. No manual of it
-is known. This profile is incomplete: No manual is known; see `tools.Ping`.
+"""Known by its name and number. Also called First. Generation 1. Model number 4001. No manual is
+known. This profile is incomplete: No manual is known; see `tools.Ping`.
 
 - sheet: Names
 """
@@ -206,8 +206,8 @@ OLD_2 = Device(
     generation=1,
     manual=None,
 )
-"""Known by its name and number. Generation 1. Model number 4002. No manual of it is known. This
-profile is incomplete: Nothing is known of its data.
+"""Known by its name and number. Generation 1. Model number 4002. No manual is known. This profile
+is incomplete: Nothing is known of its data.
 
 - sheet: Names
 """
@@ -228,17 +228,17 @@ def find(name: str) -> Device | None:
 
 
 def by_name(name: str) -> Device:
-    """The same, however it is spelt ("gx5 15"); raises UnknownName, which says the nearest names."""
+    """The same for any spelling ("gx5 15"); raises UnknownName, which gives the nearest names."""
     return DEVICES[device_id(name)]
 
 
 def by_model(number: int) -> Device | None:
-    """A device by its model number; None if it is unknown, as newer ones are."""
+    """A device by its model number; None if it is unknown, for example of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 
 def identify(info: DeviceInfo) -> Device | None:
-    """The device that the device information is of; None if it is unknown."""
+    """The device that sent this device information; None if it is unknown."""
     number = model_number(info.model_number) or model_number(info.serial_number)
     return by_model(number) if number else None
 

@@ -19,7 +19,7 @@ class Accel(Data):
 
     A vector whose elements are valid together.
 
-    Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
+    Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -36,14 +36,14 @@ class Accel(Data):
     _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
-    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-    x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
-    by `types.StateFlags.READY` of `valid_flags`.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+    flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
+    z: `types.StateFlags.READY` of `valid_flags`.
 
-    - On the Model B: unit m, m, s; frame ned; valid by element: x by `types.StateFlags.HOT` of
-      `valid_flags`, y by `types.StateFlags.READY` of `valid_flags`, z by `types.StateFlags.HOT` of
+    - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of
+      `valid_flags`, y: `types.StateFlags.READY` of `valid_flags`, z: `types.StateFlags.HOT` of
       `valid_flags`. Turned by the device.
-    - On the Model C: nothing says whether it is valid.
+    - On the Model C: no flag says whether it is valid.
     """
     valid_flags: types.StateFlags
     """What is valid.
@@ -259,7 +259,7 @@ class Strings(Data):
 
     model: str
     """Padded with spaces."""
-    # On the wire: length. Of the name. The number of elements of `name`.
+    # On the wire only: length. Of the name. The number of elements of `name`.
     name: str
     """The name."""
     rest: str
@@ -501,7 +501,7 @@ class Radio(Data):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+    Also called `modem` and `rf`. Supported by Model C. Known only from the Kit of names. Uncertain:
     The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
 
     - sheet: Radio
@@ -594,7 +594,7 @@ class Cloud(Data):
     NAME = "measurements.cloud"
     ROLE = "data"
 
-    # On the wire: num_points. Number of points. The number of elements of `points`.
+    # On the wire only: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
     stamp: int
@@ -635,7 +635,7 @@ class Gust(Data):
 
     One valid flag for all values but one; `Breeze` has the same place.
 
-    No device profile lists it.
+    Not listed in any device profile.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.
@@ -662,7 +662,7 @@ class Gust(Data):
     """Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
     `types.StateFlags.READY` of `valid_flags` is set.
     """
-    # On the wire: gap. Always the same. Always 7.
+    # On the wire only: gap. Always the same. Always 7.
     valid_flags: types.StateFlags
     """What is valid."""
 
@@ -757,7 +757,7 @@ class Breeze(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

@@ -53,8 +53,7 @@ class Accel(measurements.Accel):
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. Supported by Model A and Model
-    C.
+    Has the layout of `measurements.Accel`. Maximum rate: 100 Hz. Supported by Model A and Model C.
 
     - guide: Second acceleration
     """
@@ -64,9 +63,9 @@ class Accel(measurements.Accel):
     SET = 0x81
     NAME = "more.accel"
     scaled_accel: types.Vector3f
-    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-    x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
-    by `types.StateFlags.READY` of `valid_flags`.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+    flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
+    z: `types.StateFlags.READY` of `valid_flags`.
     """
     valid_flags: types.StateFlags
     """What is valid."""
@@ -88,5 +87,5 @@ class Strings(measurements.Strings):
     NAME = "more.strings"
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {0x01: (Accel,), 0x03: (Strings,), 0x07: (Own,)}

@@ -1,4 +1,4 @@
-"""What is the same in every command set: function selectors and the acknowledge field."""
+"""Common to all command sets: function selectors and the acknowledge field."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ class Path(Structure):
 
     closed: bool
     """Does it return to its start?"""
-    # On the wire: num_points. Number of points. The number of elements of `points`.
+    # On the wire only: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
 
@@ -488,7 +488,7 @@ class ListResponse(Response):
     NAME = "tools.list_response"
     ROLE = "response"
 
-    # On the wire: count. Number of items. The number of elements of `items`.
+    # On the wire only: count. Number of items. The number of elements of `items`.
     items: tuple[int, ...]
     """The items."""
 
@@ -600,7 +600,7 @@ class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
     Also called `keep_alive_response` and `welcome`. Answers `Hello`. May be supported by Model C.
-    Known from the Kit of names only. Uncertain: When it comes.
+    Known only from the Kit of names. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -653,7 +653,7 @@ class ReadingsResponse(Response):
 
     drive: Drive
     """What was asked for."""
-    # On the wire: count. Number of readings. The number of elements of `readings`.
+    # On the wire only: count. Number of readings. The number of elements of `readings`.
     readings: tuple[Reading, ...]
     """The readings.
 
@@ -713,8 +713,8 @@ class StatusShort(Response):
     NAME = "tools.status_short"
     ROLE = "response"
 
-    # On the wire: model. The model. Always 4711.
-    # On the wire: selector. The short layout. Always 1.
+    # On the wire only: model. The model. Always 4711.
+    # On the wire only: selector. The short layout. Always 1.
     flags: int
     """Faults.
 
@@ -757,8 +757,8 @@ _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Told from `StatusOld` and `StatusFull` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A, Model B and Model C.
+    Answers `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data. Sent
+    if `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -771,14 +771,14 @@ class StatusLong(Response):
     NAME = "tools.status_long"
     ROLE = "response"
 
-    # On the wire: model. The model. Always 4711.
-    # On the wire: selector. The long layout. Always 2.
+    # On the wire only: model. The model. Always 4711.
+    # On the wire only: selector. The long layout. Always 2.
     flags: int
     """Faults.
 
     - On the Model A: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
-    - On the Model C: values that are not known.
+    - On the Model C: the values are not known.
     """
     uptime: int
     """Since start. Unit: s."""
@@ -826,8 +826,8 @@ class StatusOld(Response):
 
     The long layout of old devices. Its size tells it from the others.
 
-    Answers `Status`. Told from `StatusLong` and `StatusFull` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A, Model B and Model C.
+    Answers `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data. Sent
+    if `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -840,8 +840,8 @@ class StatusOld(Response):
     NAME = "tools.status_old"
     ROLE = "response"
 
-    # On the wire: model. The model. Always 4711.
-    # On the wire: selector. The long layout. Always 2.
+    # On the wire only: model. The model. Always 4711.
+    # On the wire only: selector. The long layout. Always 2.
     uptime: int
     """Since start. Unit: s."""
 
@@ -880,8 +880,8 @@ _STATUS_FULL_2 = codec.Block("QB", "uptime", "mode")
 class StatusFull(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Told from `StatusLong` and `StatusOld` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A, Model B and Model C.
+    Answers `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data. Sent
+    if `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -894,8 +894,8 @@ class StatusFull(Response):
     NAME = "tools.status_full"
     ROLE = "response"
 
-    # On the wire: model. The model. Always 4711.
-    # On the wire: selector. The long layout. Always 2.
+    # On the wire only: model. The model. Always 4711.
+    # On the wire only: selector. The long layout. Always 2.
     place: types.Point
     """Where it is."""
     uptime: int
@@ -1331,7 +1331,7 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     RESPONSES = (StatusShort, StatusLong, StatusOld, StatusFull)
     TIMEOUT = 2.5
 
-    # On the wire: model. The model that the layouts belong to. Always 4711.
+    # On the wire only: model. The model that the layouts belong to. Always 4711.
     selector: int
     """Which layout. Range: 1 to 2.
 
@@ -1535,7 +1535,7 @@ class Formats(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_segments. Number of segments. The number of elements of `segments`.
+    # On the wire only: num_segments. Number of segments. The number of elements of `segments`.
     checkpoint: int
     """Between a counter and its array."""
     segments: tuple[types.Segment, ...]
@@ -1752,7 +1752,8 @@ class List(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: count. Number of items. The number of elements of `items`. Required for `write`.
+    # On the wire only: count. Number of items. The number of elements of `items`. Required for
+    # `write`.
     items: tuple[int, ...] | None
     """The items. Required for `write`."""
 
@@ -1950,8 +1951,8 @@ class Hello(Command[HelloResponse]):
 
     The device asks and a host answers.
 
-    Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
-    answers. May be supported by Model C. Known from the Kit of names only.
+    Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the host answers. May
+    be supported by Model C. Known only from the Kit of names.
 
     - sheet: Hello
     """
@@ -2060,7 +2061,7 @@ StatusOld.COMMANDS = (Status,)
 StatusFull.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (Settings,),

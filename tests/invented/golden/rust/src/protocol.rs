@@ -4,9 +4,9 @@ use crate::types;
 pub use crate::types::AckCode;
 pub use crate::types::FunctionSelector;
 
-/// Version of the specification that this crate was made from.
+/// Version of the specification from which this crate was generated.
 pub const VERSION: &str = "0.1.0";
-/// The two bytes that every packet begins with.
+/// The two bytes with which every packet begins.
 pub const SYNC: [u8; 2] = [0x75, 0x65];
 
 record! {

@@ -138,7 +138,7 @@ item! { Point { x y } }
 constructors! {
     Point
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(x: i16, y: i16);
 }
 
@@ -159,7 +159,7 @@ item! { Segment { from to weights } }
 constructors! {
     Segment
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         from: Point,
         to: Point,

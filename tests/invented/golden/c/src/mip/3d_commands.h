@@ -37,7 +37,9 @@ static inline struct mip_result mip_call_3d_default(struct mip_device *device, u
                            NULL, NULL);
 }
 
-/** Default: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Default: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result mip_call_3d_default_with(struct mip_device *device,
                                                          const struct mip_3d_default *command) {
     return mip_device_call(device, &mip_3d_default_command, command, NULL, NULL);

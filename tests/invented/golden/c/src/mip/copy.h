@@ -3,7 +3,7 @@
  *
  * Copied measurements (0x92). All the fields of another set. Uncertain: Which device sends it.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -27,17 +27,17 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * In full: copy.accel.
+ * Full name: copy.accel.
  *
- * No device is certain to support it. Has the layout of mip_measurements_accel. Sent at 100 Hz at
- * most.
+ * No device is certain to support it. Has the layout of mip_measurements_accel. Maximum rate: 100
+ * Hz.
  *
  * - guide: Third acceleration
  */
 struct mip_copy_acc {
     /**
-     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+     * flag. x: MIP_STATE_FLAGS_READY in valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z:
      * MIP_STATE_FLAGS_READY in valid_flags.
      */
     float scaled_accel[3];
@@ -104,8 +104,8 @@ static inline mip_error mip_copy_acc_encode_inline(const struct mip_copy_acc *va
  *
  * One of each.
  *
- * Has the layout of mip_measurements_numbers. No device profile lists it. Known from the Kit of
- * names only.
+ * Has the layout of mip_measurements_numbers. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */
@@ -211,8 +211,8 @@ static inline mip_error mip_copy_numbers_encode_inline(const struct mip_copy_num
  *
  * Fixed, counted, and to the end.
  *
- * Has the layout of mip_measurements_strings. No device profile lists it. Known from the Kit of
- * names only.
+ * Has the layout of mip_measurements_strings. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */
@@ -256,8 +256,8 @@ static inline mip_error mip_copy_strings_encode(const struct mip_copy_strings *v
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health. No
- * device profile lists it. Known from the Kit of names only.
+ * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health. Not
+ * listed in any device profile. Known only from the Kit of names.
  *
  * - sheet: Copied measurements
  */
@@ -323,8 +323,8 @@ static inline mip_error mip_copy_health_encode_inline(const struct mip_copy_heal
  *
  * Arrays of all that can stand in one.
  *
- * Has the layout of mip_measurements_arrays. No device profile lists it. Known from the Kit of
- * names only.
+ * Has the layout of mip_measurements_arrays. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */
@@ -434,15 +434,15 @@ static inline mip_error mip_copy_arrays_encode_inline(const struct mip_copy_arra
  *
  * Newer devices send more of it.
  *
- * Has the layout of mip_measurements_growing. No device profile lists it. Known from the Kit of
- * names only.
+ * Has the layout of mip_measurements_growing. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */
 struct mip_copy_growing {
     /**
-     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
-     * required; with a ..._WITH_... constant, all up to that one.
+     * Number of parameters that are present. When decoding: those received. To send: 0 for only the
+     * required ones; a ..._WITH_... constant for all up to that one.
      */
     uint8_t present;
     /** Always there. */
@@ -484,8 +484,8 @@ static inline mip_error mip_copy_growing_encode(const struct mip_copy_growing *v
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. No device profile lists
- * it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+ * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. Not listed in any device
+ * profile. Known only from the Kit of names. Uncertain: The leaflet gives the strength two bytes.
  * Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Copied measurements
@@ -568,8 +568,8 @@ static inline mip_error mip_copy_radio_encode_inline(const struct mip_copy_radio
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Has the layout of mip_measurements_cloud. No device profile lists it. Known from the Kit of names
- * only.
+ * Has the layout of mip_measurements_cloud. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */
@@ -609,13 +609,13 @@ static inline mip_error mip_copy_cloud_encode(const struct mip_copy_cloud *value
  *
  * One valid flag for all values but one; mip_measurements_breeze has the same place.
  *
- * Has the layout of mip_measurements_gust. No device profile lists it. Known from the Kit of names
- * only.
+ * Has the layout of mip_measurements_gust. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
  * enum mip_tools_shape.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - gap: Always the same. Always 7.
  *
  * - sheet: Copied measurements
@@ -663,8 +663,8 @@ static inline mip_error mip_copy_gust_encode(const struct mip_copy_gust *value,
  *
  * Its place is told as in mip_measurements_gust.
  *
- * Has the layout of mip_measurements_breeze. No device profile lists it. Known from the Kit of
- * names only.
+ * Has the layout of mip_measurements_breeze. Not listed in any device profile. Known only from the
+ * Kit of names.
  *
  * - sheet: Copied measurements
  */

@@ -3,7 +3,7 @@
  *
  * Measurements (0x80). Data of every type; `tools` has what they are set up with.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_MEASUREMENTS_H
 #define MIP_MEASUREMENTS_H
@@ -26,18 +26,18 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
+ * Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
  */
 struct mip_measurements_accel {
     /**
-     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
-     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned; valid by
-     * element: x by MIP_STATE_FLAGS_HOT in valid_flags, y by MIP_STATE_FLAGS_READY in valid_flags,
-     * z by MIP_STATE_FLAGS_HOT in valid_flags. Turned by the device. On the Model C: nothing says
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+     * flag. x: MIP_STATE_FLAGS_READY in valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z:
+     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned; valid flags x:
+     * MIP_STATE_FLAGS_HOT in valid_flags, y: MIP_STATE_FLAGS_READY in valid_flags, z:
+     * MIP_STATE_FLAGS_HOT in valid_flags. Turned by the device. On the Model C: no flag says
      * whether it is valid.
      */
     float scaled_accel[3];
@@ -436,8 +436,8 @@ static inline mip_error mip_measurements_arrays_encode_inline(
  */
 struct mip_measurements_growing {
     /**
-     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
-     * required; with a ..._WITH_... constant, all up to that one.
+     * Number of parameters that are present. When decoding: those received. To send: 0 for only the
+     * required ones; a ..._WITH_... constant for all up to that one.
      */
     uint8_t present;
     /** Always there. */
@@ -479,7 +479,7 @@ static inline mip_error mip_measurements_growing_encode(
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+ * Also called `modem` and `rf`. Supported by Model C. Known only from the Kit of names. Uncertain:
  * The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Radio
@@ -605,12 +605,12 @@ static inline mip_error mip_measurements_cloud_encode(const struct mip_measureme
  *
  * One valid flag for all values but one; mip_measurements_breeze has the same place.
  *
- * No device profile lists it.
+ * Not listed in any device profile.
  *
  * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
  * enum mip_tools_shape.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - gap: Always the same. Always 7.
  *
  * - guide: Gust

@@ -25,15 +25,14 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. Supported by Model A and Model
- * C.
+ * Has the layout of mip_measurements_accel. Maximum rate: 100 Hz. Supported by Model A and Model C.
  *
  * - guide: Second acceleration
  */
 struct mip_more_accel {
     /**
-     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
-     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid
+     * flag. x: MIP_STATE_FLAGS_READY in valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z:
      * MIP_STATE_FLAGS_READY in valid_flags.
      */
     float scaled_accel[3];

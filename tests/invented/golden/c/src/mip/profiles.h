@@ -1,6 +1,6 @@
 /**
  * @file
- * The devices. Plain tables: a program that names one device links only that.
+ * The devices. Plain tables: a program that uses one device links only that one.
  */
 #ifndef MIP_PROFILES_H
 #define MIP_PROFILES_H
@@ -33,8 +33,8 @@ extern MIP_API const struct mip_profile mip_profile_model_b;
 /**
  * Model C: Like the model A, with a radio and without a choice.
  *
- * Also called Model See and c. Generation 3. Model number 4713. Like the Model A, but for what is
- * said here. No manual of it is known. Uncertain: Whether it has a model number of its own.
+ * Also called Model See and c. Generation 3. Model number 4713. Like the Model A, except as stated
+ * here. No manual is known. Uncertain: Whether it has a model number of its own.
  *
  * - sheet: Radio
  */
@@ -43,7 +43,7 @@ extern MIP_API const struct mip_profile mip_profile_model_c;
 /**
  * Old 1: Known by its name and number.
  *
- * Also called First. Generation 1. Model number 4001. No manual of it is known. This profile is
+ * Also called First. Generation 1. Model number 4001. No manual is known. This profile is
  * incomplete: No manual is known; see mip_tools_ping.
  *
  * - sheet: Names
@@ -53,8 +53,8 @@ extern MIP_API const struct mip_profile mip_profile_old_1;
 /**
  * Old 2: Known by its name and number.
  *
- * Generation 1. Model number 4002. No manual of it is known. This profile is incomplete: Nothing is
- * known of its data.
+ * Generation 1. Model number 4002. No manual is known. This profile is incomplete: Nothing is known
+ * of its data.
  *
  * - sheet: Names
  */

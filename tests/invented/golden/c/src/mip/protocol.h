@@ -1,6 +1,6 @@
 /**
  * @file
- * What is the same in every command set: function selectors and the acknowledge field.
+ * Common to all command sets: function selectors and the acknowledge field.
  */
 #ifndef MIP_PROTOCOL_H
 #define MIP_PROTOCOL_H

@@ -3,7 +3,7 @@
  *
  * Tools (0x01). Commands of every shape.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_TOOLS_H
 #define MIP_TOOLS_H
@@ -49,7 +49,7 @@ enum mip_tools_fill {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_fill_name(uint8_t value);
-/** Two numbers. In full: stripes. */
+/** Two numbers. Full name: stripes. */
 struct mip_tools_bars {
     /** Of a stripe. Unit: m. */
     double width;
@@ -97,7 +97,7 @@ enum mip_tools_drive {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
-/** Of a pulse. In full: pulse_use. */
+/** Of a pulse. Full name: pulse_use. */
 enum mip_tools_pulse {
     /** The value `input`. */
     MIP_TOOLS_PULSE_INPUT = 1,
@@ -125,7 +125,7 @@ struct mip_tools_reading {
     float value;
 };
 
-/** Of the model A. In full: model_a_faults. */
+/** Of the model A. Full name: model_a_faults. */
 typedef uint32_t mip_tools_a_faults;
 /** Bit 0. */
 #define MIP_TOOLS_A_FAULTS_CLOCK UINT32_C(0x00000001)
@@ -193,9 +193,9 @@ static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value
  */
 struct mip_tools_settings {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
-     * one.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones; a ..._WITH_... constant for all up to
+     * that one.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -400,8 +400,8 @@ static inline mip_error mip_tools_settings_response_encode_inline(
  */
 struct mip_tools_set_time {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -592,7 +592,7 @@ static inline mip_error mip_tools_set_time_slow_response_encode_inline(
  * or mip_tools_full. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
  * C.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - model: The model that the layouts belong to. Always 4711.
  *
  * - guide: Status
@@ -636,7 +636,7 @@ static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_st
  *
  * Answers mip_tools_status. Sent if selector is 1. Supported by Model A, Model B and Model C.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
  * - selector: The short layout. Always 1.
  *
@@ -675,10 +675,10 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_full by the size of its
- * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Distinguished from mip_tools_status_old and mip_tools_full by the size
+ * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
  * - selector: The long layout. Always 2.
  *
@@ -687,7 +687,7 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
 struct mip_tools_status_long {
     /**
      * Faults. On the Model A: values of mip_tools_a_faults. On the Model B: values of
-     * mip_tools_model_b_faults. On the Model C: values that are not known.
+     * mip_tools_model_b_faults. On the Model C: the values are not known.
      */
     uint32_t flags;
     /** Since start. Unit: s. */
@@ -721,10 +721,10 @@ static inline mip_error mip_tools_status_long_encode(const struct mip_tools_stat
  *
  * The long layout of old devices. Its size tells it from the others.
  *
- * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_full by the size of its
- * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_full by the size
+ * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
  * - selector: The long layout. Always 2.
  *
@@ -760,12 +760,12 @@ static inline mip_error mip_tools_status_old_encode(const struct mip_tools_statu
 /**
  * Status response: response (0x01,0x90).
  *
- * In full: tools.status_full.
+ * Full name: tools.status_full.
  *
- * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_old by the size of
- * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_status_old by
+ * the size of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
  * - selector: The long layout. Always 2.
  *
@@ -815,8 +815,8 @@ static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value
  */
 struct mip_tools_bias {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1091,8 +1091,8 @@ union mip_tools_choice_parameters {
  */
 struct mip_tools_choice {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1212,8 +1212,8 @@ static inline mip_error mip_tools_choice_response_encode(
  */
 struct mip_tools_list {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1308,7 +1308,7 @@ static inline mip_error mip_tools_list_response_encode(const struct mip_tools_li
  *
  * Answers with an array to the end of the field.
  *
- * In full: tools.inventory.
+ * Full name: tools.inventory.
  *
  * Answered by mip_tools_stock_response. Supported by Model A and Model C.
  *
@@ -1344,7 +1344,7 @@ static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *val
 /**
  * Inventory response: response (0x01,0x8A).
  *
- * In full: tools.inventory_response.
+ * Full name: tools.inventory_response.
  *
  * Answers mip_tools_stock. Supported by Model A and Model C.
  *
@@ -1390,8 +1390,8 @@ static inline mip_error mip_tools_stock_response_encode(
  */
 struct mip_tools_pin {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1517,15 +1517,14 @@ static inline mip_error mip_tools_pin_response_encode_inline(
  * The device asks and a host answers.
  *
  * No device is certain to support it. Also called `keep_alive`. Answered by
- * mip_tools_hello_response. The device sends it, and the host answers. Known from the Kit of names
- * only.
+ * mip_tools_hello_response. Sent by the device; the host answers. Known only from the Kit of names.
  *
  * - sheet: Hello
  */
 struct mip_tools_hello {
     /**
-     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
-     * required; with a ..._WITH_... constant, all up to that one.
+     * Number of parameters that are present. When decoding: those received. To send: 0 for only the
+     * required ones; a ..._WITH_... constant for all up to that one.
      */
     uint8_t present;
     /** Reserved: send 1.0. */
@@ -1562,7 +1561,7 @@ static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *val
  * Hello response: response (0x01,0x8C).
  *
  * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
- * mip_tools_hello. Known from the Kit of names only. Uncertain: When it comes.
+ * mip_tools_hello. Known only from the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */

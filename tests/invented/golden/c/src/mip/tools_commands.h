@@ -34,8 +34,8 @@ static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
 extern MIP_API const struct mip_command mip_tools_settings_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Settings. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Settings. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_settings(struct mip_client *client,
                                                 struct mip_request *request,
@@ -102,7 +102,10 @@ static inline struct mip_result mip_call_tools_settings_apply(struct mip_device 
                            mip_tools_settings_apply(&command, port, mode, baud), NULL, NULL);
 }
 
-/** Settings: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Settings: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_settings_with(struct mip_device *device, const struct mip_tools_settings *command,
                              struct mip_tools_settings_response *response) {
@@ -124,8 +127,8 @@ static inline mip_error mip_send_tools_set_time(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. The answer
+ * is this response.
  */
 static inline mip_error mip_send_for_tools_set_time_fast_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -136,8 +139,8 @@ static inline mip_error mip_send_for_tools_set_time_fast_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. The answer
+ * is this response.
  */
 static inline mip_error mip_send_for_tools_set_time_slow_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -198,7 +201,10 @@ static inline struct mip_result mip_call_tools_set_time_apply(struct mip_device 
                            mip_tools_set_time_apply(&command, part, value), NULL, NULL);
 }
 
-/** Set time: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Set time: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_set_time_with(struct mip_device *device, const struct mip_tools_set_time *command) {
     return mip_device_call(device, &mip_tools_set_time_command, command, NULL, NULL);
@@ -218,8 +224,8 @@ static inline mip_error mip_send_tools_status(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
+ * this response.
  */
 static inline mip_error mip_send_for_tools_status_short(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -229,8 +235,8 @@ static inline mip_error mip_send_for_tools_status_short(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
+ * this response.
  */
 static inline mip_error mip_send_for_tools_status_long(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -240,8 +246,8 @@ static inline mip_error mip_send_for_tools_status_long(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
+ * this response.
  */
 static inline mip_error mip_send_for_tools_status_old(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -251,8 +257,8 @@ static inline mip_error mip_send_for_tools_status_old(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
- * answered by this response.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
+ * this response.
  */
 static inline mip_error mip_send_for_tools_full(struct mip_client *client,
                                                 struct mip_request *request,
@@ -302,7 +308,9 @@ static inline struct mip_result mip_call_for_tools_full(struct mip_device *devic
                            &mip_tools_full_codec, response);
 }
 
-/** Status: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Status: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result mip_call_tools_status_with(struct mip_device *device,
                                                            const struct mip_tools_status *command) {
     return mip_device_call(device, &mip_tools_status_command, command, NULL, NULL);
@@ -312,8 +320,8 @@ static inline struct mip_result mip_call_tools_status_with(struct mip_device *de
 extern MIP_API const struct mip_command mip_tools_bias_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Bias. The response
- * goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Bias. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_bias(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet,
@@ -360,7 +368,9 @@ static inline struct mip_result mip_call_tools_bias_default(struct mip_device *d
                            NULL);
 }
 
-/** Bias: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Bias: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result mip_call_tools_bias_with(struct mip_device *device,
                                                          const struct mip_tools_bias *command,
                                                          struct mip_tools_bias_vector *response) {
@@ -372,8 +382,8 @@ static inline struct mip_result mip_call_tools_bias_with(struct mip_device *devi
 extern MIP_API const struct mip_command mip_tools_capture_bias_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Capture bias. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Capture bias. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_capture_bias(struct mip_client *client,
                                                     struct mip_request *request,
@@ -395,7 +405,8 @@ static inline struct mip_result mip_call_tools_capture_bias(
 }
 
 /**
- * Capture bias: calls the command with these values, optional parameters too. See mip_device_call.
+ * Capture bias: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_tools_capture_bias_with(
     struct mip_device *device, const struct mip_tools_capture_bias *command,
@@ -429,7 +440,9 @@ static inline struct mip_result mip_call_tools_formats(struct mip_device *device
         NULL);
 }
 
-/** Formats: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Formats: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_formats *command) {
     return mip_device_call(device, &mip_tools_formats_command, command, NULL, NULL);
@@ -439,8 +452,8 @@ mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_fo
 extern MIP_API const struct mip_command mip_tools_choice_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Choice. The response
- * goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Choice. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_choice(struct mip_client *client,
                                               struct mip_request *request,
@@ -471,7 +484,9 @@ static inline struct mip_result mip_call_tools_choice_read(
                            &mip_tools_choice_response_codec, response);
 }
 
-/** Choice: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Choice: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_choice *command,
                            struct mip_tools_choice_response *response) {
@@ -483,8 +498,8 @@ mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_cho
 extern MIP_API const struct mip_command mip_tools_list_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. List. The response
- * goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. List. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_list(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet,
@@ -518,7 +533,9 @@ static inline struct mip_result mip_call_tools_list_save(struct mip_device *devi
                            NULL);
 }
 
-/** List: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * List: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result mip_call_tools_list_with(struct mip_device *device,
                                                          const struct mip_tools_list *command,
                                                          struct mip_tools_list_response *response) {
@@ -530,8 +547,8 @@ static inline struct mip_result mip_call_tools_list_with(struct mip_device *devi
 extern MIP_API const struct mip_command mip_tools_stock_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Inventory. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Inventory. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_stock(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet,
@@ -552,8 +569,8 @@ static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
 extern MIP_API const struct mip_command mip_tools_pin_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Pin. The response
- * goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Pin. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_pin(struct mip_client *client, struct mip_request *request,
                                            struct mip_builder *packet,
@@ -580,7 +597,7 @@ static inline struct mip_result mip_call_tools_pin_read(struct mip_device *devic
                            &mip_tools_pin_response_codec, response);
 }
 
-/** Pin: calls the command with these values, optional parameters too. See mip_device_call. */
+/** Pin: calls the command with these values, including optional parameters. See mip_device_call. */
 static inline struct mip_result mip_call_tools_pin_with(struct mip_device *device,
                                                         const struct mip_tools_pin *command,
                                                         struct mip_tools_pin_response *response) {
@@ -592,8 +609,8 @@ static inline struct mip_result mip_call_tools_pin_with(struct mip_device *devic
 extern MIP_API const struct mip_command mip_tools_hello_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Hello. The response
- * goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Hello. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_hello(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet,
@@ -604,7 +621,9 @@ static inline mip_error mip_send_tools_hello(struct mip_client *client, struct m
                            &mip_tools_hello_response_codec, response, now);
 }
 
-/** Hello: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Hello: calls the command with these values, including optional parameters. See mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hello *command,
                           struct mip_tools_hello_response *response) {
@@ -616,8 +635,8 @@ mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hell
 extern MIP_API const struct mip_command mip_tools_readings_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Readings. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Readings. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_readings(struct mip_client *client,
                                                 struct mip_request *request,
@@ -639,7 +658,10 @@ mip_call_tools_readings(struct mip_device *device, enum mip_tools_drive drive,
                            &mip_tools_readings_response_codec, response);
 }
 
-/** Readings: calls the command with these values, optional parameters too. See mip_device_call. */
+/**
+ * Readings: calls the command with these values, including optional parameters. See
+ * mip_device_call.
+ */
 static inline struct mip_result
 mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_readings *command,
                              struct mip_tools_readings_response *response) {

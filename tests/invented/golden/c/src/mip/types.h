@@ -19,7 +19,7 @@ extern "C" {
 enum mip_ack_code {
     /** Done. */
     MIP_ACK_CODE_OK = 0,
-    /** No such command. In full: unknown_command. */
+    /** No such command. Full name: unknown_command. */
     MIP_ACK_CODE_UNKNOWN = 1,
     /** A parameter is out of range. */
     MIP_ACK_CODE_INVALID_PARAMETER = 3
@@ -59,7 +59,7 @@ typedef uint16_t mip_state_flags;
 #define MIP_STATE_FLAGS_LEVEL 0x0070U
 /** Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode. */
 #define MIP_STATE_FLAGS_MODE 0x0300U
-/** Bits 0 to 1. Ready or hot. In full: any. Overlaps other bits. */
+/** Bits 0 to 1. Ready or hot. Full name: any. Overlaps other bits. */
 #define MIP_STATE_FLAGS_OR 0x0003U
 
 /** Bits 4 to 6. A number from 0 to 7. */
@@ -110,7 +110,7 @@ static inline void mip_health_set_power(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 9, 1, value);
 }
 
-/** Bits 30 to 33. A number across two bytes. In full: count. */
+/** Bits 30 to 33. A number across two bytes. Full name: count. */
 static inline uint8_t mip_health_get_num(const struct mip_health *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 30, 4);
 }

@@ -1,5 +1,5 @@
-// The modules of mip/ and tools/ as one script, for pages that are opened from disk: browsers load no modules there.
-// It defines one global object, `mip`, with what their files index.mjs export.
+// The modules of mip/ and tools/ as one script, for pages that are opened from disk, where browsers do not load modules.
+// It defines one global object, `mip`, with the exports of their files index.mjs.
 (() => {
 "use strict";
 const modules = {};

@@ -247,7 +247,7 @@ TYPES: dict[str, Info] = {
         "tools.hello", type=tools.Hello,
         title="Hello",
         description="The device asks and a host answers.",
-        facts=("Also called `keep_alive`.", "Answered by `tools.HelloResponse`.", "The device sends it, and the host answers.", "May be supported by Model C.", "Known from the Kit of names only."),
+        facts=("Also called `keep_alive`.", "Answered by `tools.HelloResponse`.", "Sent by the device; the host answers.", "May be supported by Model C.", "Known only from the Kit of names."),
         sources=("sheet: Hello",),
         also=("keep_alive",),
         perhaps=("model-c",),
@@ -348,7 +348,7 @@ TYPES: dict[str, Info] = {
     "HelloResponse": FieldInfo(
         "tools.hello_response", type=tools.HelloResponse,
         title="Hello response",
-        facts=("Also called `keep_alive_response` and `welcome`.", "Answers `tools.Hello`.", "May be supported by Model C.", "Known from the Kit of names only.", "Uncertain: When it comes."),
+        facts=("Also called `keep_alive_response` and `welcome`.", "Answers `tools.Hello`.", "May be supported by Model C.", "Known only from the Kit of names.", "Uncertain: When it comes."),
         sources=("sheet: Hello",),
         also=("keep_alive_response", "welcome"),
         perhaps=("model-c",),
@@ -384,13 +384,13 @@ TYPES: dict[str, Info] = {
     "StatusLong": FieldInfo(
         "tools.status_long", type=tools.StatusLong,
         title="Status response",
-        facts=("Answers `tools.Status`.", "Told from `tools.StatusOld` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusOld` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
         sources=("guide: Status",),
         devices=("model-a", "model-b", "model-c"),
         parameters=(
             Parameter("model", "model", "constant", description="The model.", facts=("Always 4711.",), scalar="u16", constant=4711),
             Parameter("selector", "selector", "constant", description="The long layout.", facts=("Always 2.",), scalar="u8", constant=2),
-            Parameter("flags", "flags", "scalar", description="Faults.", facts=("On the Model A: values of `tools.ModelAFaults`.", "On the Model B: values of `tools.ModelBFaults`.", "On the Model C: values that are not known."), scalar="u32", variants=(Variant("device", ("model-a",), "On the Model A: values of `tools.ModelAFaults`.", {"type": tools.ModelAFaults}), Variant("device", ("model-b",), "On the Model B: values of `tools.ModelBFaults`.", {"type": tools.ModelBFaults}), Variant("device", ("model-c",), "On the Model C: values that are not known.", {"type": None}),)),
+            Parameter("flags", "flags", "scalar", description="Faults.", facts=("On the Model A: values of `tools.ModelAFaults`.", "On the Model B: values of `tools.ModelBFaults`.", "On the Model C: the values are not known."), scalar="u32", variants=(Variant("device", ("model-a",), "On the Model A: values of `tools.ModelAFaults`.", {"type": tools.ModelAFaults}), Variant("device", ("model-b",), "On the Model B: values of `tools.ModelBFaults`.", {"type": tools.ModelBFaults}), Variant("device", ("model-c",), "On the Model C: the values are not known.", {"type": None}),)),
             Parameter("uptime", "uptime", "scalar", description="Since start.", facts=("Unit: s.",), scalar="u64", units=("s",)),
         ),
     ),
@@ -398,7 +398,7 @@ TYPES: dict[str, Info] = {
         "tools.status_old", type=tools.StatusOld,
         title="Status response",
         description="The long layout of old devices. Its size tells it from the others.",
-        facts=("Answers `tools.Status`.", "Told from `tools.StatusLong` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
         sources=("guide: Status",),
         devices=("model-a", "model-b", "model-c"),
         parameters=(
@@ -410,7 +410,7 @@ TYPES: dict[str, Info] = {
     "StatusFull": FieldInfo(
         "tools.status_full", type=tools.StatusFull,
         title="Status response",
-        facts=("Answers `tools.Status`.", "Told from `tools.StatusLong` and `tools.StatusOld` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusOld` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
         sources=("guide: Status",),
         devices=("model-a", "model-b", "model-c"),
         parameters=(

@@ -50,7 +50,7 @@ VALUES["copy.strings"] = VALUES["measurements.strings"]
 VALUES["copy.health"] = VALUES["measurements.health"]
 VALUES["copy.gust"] = VALUES["measurements.gust"]
 
-#: Commands -> what they do beside keeping a setting.
+#: Commands -> what they do besides storing a setting.
 COMMANDS: dict[str, Behavior] = {
     "tools.ping": Behavior(effect="idle"),
     "tools.settings": Behavior(

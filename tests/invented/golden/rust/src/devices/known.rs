@@ -164,7 +164,7 @@ pub static MODEL_B: Device = Device {
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "unit m, m, s; frame ned; valid by element: x by valid_flags.hot, y by valid_flags.ready, z by valid_flags.hot. Turned by the device",
+            difference: "unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device",
         },
     ],
     ack_codes: &[
@@ -178,8 +178,8 @@ pub static MODEL_B: Device = Device {
 /// Like the model A, with a radio and without a choice.
 ///
 /// Also called Model See and c. Generation 3. Model number 4713. Like the [Model
-/// A](crate::devices::MODEL_A), but for what is said here. No manual of it is known. Uncertain:
-/// Whether it has a model number of its own.
+/// A](crate::devices::MODEL_A), except as stated here. No manual is known. Uncertain: Whether it
+/// has a model number of its own.
 ///
 /// Source: sheet: Radio.
 #[rustfmt::skip]
@@ -265,12 +265,12 @@ pub static MODEL_C: Device = Device {
         Variant {
             parameter: "tools.status_long.flags",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "nothing says whether it is valid",
+            difference: "no flag says whether it is valid",
         },
         Variant {
             parameter: "measurements.accel.valid_flags",
@@ -294,7 +294,7 @@ pub static MODEL_C: Device = Device {
 ///
 /// Known by its name and number.
 ///
-/// Also called First. Generation 1. Model number 4001. No manual of it is known. This profile is
+/// Also called First. Generation 1. Model number 4001. No manual is known. This profile is
 /// incomplete: No manual is known; see [`tools::Ping`](crate::tools::Ping).
 ///
 /// Source: sheet: Names.
@@ -330,8 +330,8 @@ pub static OLD_1: Device = Device {
 ///
 /// Known by its name and number.
 ///
-/// Generation 1. Model number 4002. No manual of it is known. This profile is incomplete: Nothing
-/// is known of its data.
+/// Generation 1. Model number 4002. No manual is known. This profile is incomplete: Nothing is
+/// known of its data.
 ///
 /// Source: sheet: Names.
 #[rustfmt::skip]

@@ -1,4 +1,4 @@
-//! The fields, as [`registry!`] wants them.
+//! The fields, in the form that [`registry!`] takes.
 
 use super::*;
 

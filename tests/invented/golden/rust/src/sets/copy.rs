@@ -13,17 +13,17 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
-    /// most. May be supported by [Model C](crate::devices::MODEL_C).
+    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Maximum rate: 100 Hz.
+    /// May be supported by [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Third acceleration.
     #[derive(Copy, Default)]
     pub struct Accel {
         /// Specific force.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
-        /// [`valid_flags.ready`](types::StateFlags::ready), y by
-        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid flag. x:
+        /// [`valid_flags.ready`](types::StateFlags::ready), y:
+        /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready).
         pub scaled_accel: types::Vector3f,
         /// What is valid.
@@ -40,8 +40,8 @@ record! {
     ///
     /// One of each.
     ///
-    /// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Copy, Default)]
@@ -86,10 +86,10 @@ record! {
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// The wire format also contains `length`: Of the name. The number of elements of
     /// [`name`](Strings::name).
     ///
     /// Source: sheet: Copied measurements.
@@ -120,8 +120,8 @@ record! {
     /// The wide bitfield.
     ///
     /// Deprecated: use [`measurements::Numbers`](crate::measurements::Numbers) instead. Has the
-    /// layout of [`measurements::Health`](crate::measurements::Health). No device profile lists it.
-    /// Known from the Kit of names only.
+    /// layout of [`measurements::Health`](crate::measurements::Health). Not listed in any device
+    /// profile. Known only from the Kit of names.
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Copy, Default, Eq, Hash)]
@@ -143,8 +143,8 @@ record! {
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Copy, Default)]
@@ -177,8 +177,8 @@ record! {
     ///
     /// Newer devices send more of it.
     ///
-    /// Has the layout of [`measurements::Growing`](crate::measurements::Growing). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Growing`](crate::measurements::Growing). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Copy, Default)]
@@ -211,7 +211,7 @@ record! {
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
     /// Has the layout of [`measurements::Radio`](crate::measurements::Radio). Also called `modem`
-    /// and `rf`. No device profile lists it. Known from the Kit of names only. Uncertain: The
+    /// and `rf`. Not listed in any device profile. Known only from the Kit of names. Uncertain: The
     /// leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
     ///
     /// Source: sheet: Copied measurements.
@@ -247,10 +247,10 @@ record! {
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
-    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// The wire format also contains `num_points`: Number of points. The number of elements of
     /// [`points`](Cloud::points).
     ///
     /// Source: sheet: Copied measurements.
@@ -280,10 +280,10 @@ record! {
     /// One valid flag for all values but one; [`measurements::Breeze`](crate::measurements::Breeze)
     /// has the same place.
     ///
-    /// Has the layout of [`measurements::Gust`](crate::measurements::Gust). No device profile lists
-    /// it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Gust`](crate::measurements::Gust). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
-    /// On the wire there is also `gap`: Always the same. Always 7.
+    /// The wire format also contains `gap`: Always the same. Always 7.
     ///
     /// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see
     ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
@@ -328,8 +328,8 @@ record! {
     ///
     /// Its place is told as in [`measurements::Gust`](crate::measurements::Gust).
     ///
-    /// Has the layout of [`measurements::Breeze`](crate::measurements::Breeze). No device profile
-    /// lists it. Known from the Kit of names only.
+    /// Has the layout of [`measurements::Breeze`](crate::measurements::Breeze). Not listed in any
+    /// device profile. Known only from the Kit of names.
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Copy, Default)]

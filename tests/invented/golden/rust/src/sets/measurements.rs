@@ -11,7 +11,7 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Sent at 100 Hz at most. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// Maximum rate: 100 Hz. Supported by [Model A](crate::devices::MODEL_A), [Model
     /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
@@ -19,15 +19,15 @@ record! {
     pub struct Accel {
         /// Specific force.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
-        /// [`valid_flags.ready`](types::StateFlags::ready), y by
-        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid flag. x:
+        /// [`valid_flags.ready`](types::StateFlags::ready), y:
+        /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
-        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid by element: x by
-        /// [`valid_flags.hot`](types::StateFlags::hot), y by
-        /// [`valid_flags.ready`](types::StateFlags::ready), z by
+        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid flags x:
+        /// [`valid_flags.hot`](types::StateFlags::hot), y:
+        /// [`valid_flags.ready`](types::StateFlags::ready), z:
         /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the [Model
-        /// C](crate::devices::MODEL_C): nothing says whether it is valid.
+        /// C](crate::devices::MODEL_C): no flag says whether it is valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
         ///
@@ -94,7 +94,7 @@ record! {
     ///
     /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// The wire format also contains `length`: Of the name. The number of elements of
     /// [`name`](Strings::name).
     ///
     /// Source: guide: Strings.
@@ -212,8 +212,8 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Supported by [Model C](crate::devices::MODEL_C). Known from
-    /// the Kit of names only. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+    /// Also called `modem` and `rf`. Supported by [Model C](crate::devices::MODEL_C). Known only
+    /// from the Kit of names. Uncertain: The leaflet gives the strength two bytes. Uncertain:
     /// Inferred: the strength is never positive.
     ///
     /// Source: sheet: Radio.
@@ -252,7 +252,7 @@ record! {
     ///
     /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// The wire format also contains `num_points`: Number of points. The number of elements of
     /// [`points`](Cloud::points).
     ///
     /// Source: guide: Cloud.
@@ -281,9 +281,9 @@ record! {
     ///
     /// One valid flag for all values but one; [`Breeze`] has the same place.
     ///
-    /// No device profile lists it.
+    /// Not listed in any device profile.
     ///
-    /// On the wire there is also `gap`: Always the same. Always 7.
+    /// The wire format also contains `gap`: Always the same. Always 7.
     ///
     /// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see
     ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).

@@ -43,7 +43,7 @@ record! {
 constructors! {
     Default
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         class: u8,
         type_: u8,

@@ -11,18 +11,17 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
-    /// most. Supported by [Model A](crate::devices::MODEL_A) and [Model
-    /// C](crate::devices::MODEL_C).
+    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Maximum rate: 100 Hz.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Second acceleration.
     #[derive(Copy, Default)]
     pub struct Accel {
         /// Specific force.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
-        /// [`valid_flags.ready`](types::StateFlags::ready), y by
-        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element has its own valid flag. x:
+        /// [`valid_flags.ready`](types::StateFlags::ready), y:
+        /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready).
         pub scaled_accel: types::Vector3f,
         /// What is valid.
@@ -42,7 +41,7 @@ record! {
     /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). Supported by
     /// [Model A](crate::devices::MODEL_A).
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// The wire format also contains `length`: Of the name. The number of elements of
     /// [`name`](Strings::name).
     ///
     /// Source: guide: Second strings.

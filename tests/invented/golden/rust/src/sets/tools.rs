@@ -53,7 +53,7 @@ item! { Stripes { width angle } }
 constructors! {
     Stripes
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(width: f64, angle: f32);
 }
 
@@ -104,14 +104,14 @@ item! { Circle { center fill filling } }
 constructors! {
     Circle
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(center: types::Point, filling: CircleFilling), fill: filling.tag();
 }
 
 record! {
     /// A counted array at its end.
     ///
-    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// The wire format also contains `num_points`: Number of points. The number of elements of
     /// [`points`](Path::points).
     #[derive(Default, Eq, Hash)]
     pub struct Path {
@@ -131,7 +131,7 @@ item! { Path { closed points } }
 constructors! {
     Path
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(closed: bool, points: impl Into<crate::List<types::Point, 62>>);
 }
 
@@ -182,7 +182,7 @@ item! { Reading { kind value } }
 constructors! {
     Reading
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(kind: u8, value: f32);
 }
 
@@ -233,7 +233,7 @@ record! {
 constructors! {
     Ping
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -402,7 +402,7 @@ command! {
 }
 
 responses! {
-    /// What [`SetTime`] is answered with.
+    /// The answer to [`SetTime`].
     #[derive(Copy, Eq, Hash)]
     pub enum SetTimeResponses {
         /// The response [`SetTimeFastResponse`].
@@ -424,7 +424,7 @@ record! {
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
+    /// The wire format also contains `model`: The model that the layouts belong to. Always 4711.
     ///
     /// Source: guide: Status.
     #[derive(Copy, Default, Eq, Hash)]
@@ -443,7 +443,7 @@ record! {
 constructors! {
     Status
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(selector: u8);
 }
 
@@ -460,7 +460,7 @@ command! {
 }
 
 responses! {
-    /// What [`Status`] is answered with.
+    /// The answer to [`Status`].
     #[derive(Copy, Eq, Hash)]
     pub enum StatusResponses {
         /// The response [`StatusShort`].
@@ -555,7 +555,7 @@ record! {
 constructors! {
     CaptureBias
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(time: u16);
 }
 
@@ -576,7 +576,7 @@ record! {
     /// Not acknowledged if [`suppress_ack`](Formats::suppress_ack) is true. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `num_segments`: Number of segments. The number of elements of
+    /// The wire format also contains `num_segments`: Number of segments. The number of elements of
     /// [`segments`](Formats::segments).
     ///
     /// Source: guide: Formats.
@@ -600,7 +600,7 @@ record! {
 constructors! {
     Formats
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         suppress_ack: bool,
         checkpoint: u8,
@@ -710,7 +710,7 @@ record! {
     /// and [save](types::FunctionSelector::SAVE). Answered by [`ListResponse`]. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// The wire format also contains `count`: Number of items. The number of elements of
     /// [`items`](List::items). Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: guide: List.
@@ -770,7 +770,7 @@ record! {
 constructors! {
     Inventory
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -861,9 +861,9 @@ record! {
     ///
     /// The device asks and a host answers.
     ///
-    /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers. May be supported by [Model C](crate::devices::MODEL_C). Known from the Kit of names
-    /// only.
+    /// Also called `keep_alive`. Answered by [`HelloResponse`]. Sent by the device; the host
+    /// answers. May be supported by [Model C](crate::devices::MODEL_C). Known only from the Kit of
+    /// names.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy)]
@@ -892,7 +892,7 @@ impl core::default::Default for Hello {
 constructors! {
     Hello
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(), reserved: 1.0, later: None;
 }
 
@@ -929,7 +929,7 @@ record! {
 constructors! {
     Readings
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(drive: Drive);
 }
 
@@ -1068,7 +1068,7 @@ record! {
     /// Answers [`List`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// The wire format also contains `count`: Number of items. The number of elements of
     /// [`items`](ListResponse::items).
     ///
     /// Source: guide: List.
@@ -1163,7 +1163,7 @@ record! {
     /// Hello response (0x01,0x8C).
     ///
     /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
-    /// [Model C](crate::devices::MODEL_C). Known from the Kit of names only. Uncertain: When it
+    /// [Model C](crate::devices::MODEL_C). Known only from the Kit of names. Uncertain: When it
     /// comes.
     ///
     /// Source: sheet: Hello.
@@ -1187,7 +1187,7 @@ record! {
     /// Answers [`Readings`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of readings. The number of elements of
+    /// The wire format also contains `count`: Number of readings. The number of elements of
     /// [`readings`](ReadingsResponse::readings).
     ///
     /// Source: guide: Readings.
@@ -1228,9 +1228,9 @@ record! {
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `model`: The model. Always 4711.
+    /// The wire format also contains `model`: The model. Always 4711.
     ///
-    /// On the wire there is also `selector`: The short layout. Always 1.
+    /// The wire format also contains `selector`: The short layout. Always 1.
     ///
     /// Source: guide: Status.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1280,13 +1280,14 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
-    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
-    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
+    /// Answers [`Status`]. Distinguished from [`StatusOld`] and [`StatusFull`] by the size of its
+    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `model`: The model. Always 4711.
+    /// The wire format also contains `model`: The model. Always 4711.
     ///
-    /// On the wire there is also `selector`: The long layout. Always 2.
+    /// The wire format also contains `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1295,7 +1296,7 @@ record! {
         ///
         /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`]. On the [Model
         /// B](crate::devices::MODEL_B): values of [`ModelBFaults`]. On the [Model
-        /// C](crate::devices::MODEL_C): values that are not known.
+        /// C](crate::devices::MODEL_C): the values are not known.
         pub flags: u32,
         /// Since start.
         ///
@@ -1343,14 +1344,14 @@ record! {
     ///
     /// The long layout of old devices. Its size tells it from the others.
     ///
-    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
-    /// Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusFull`] by the size of its
+    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `model`: The model. Always 4711.
+    /// The wire format also contains `model`: The model. Always 4711.
     ///
-    /// On the wire there is also `selector`: The long layout. Always 2.
+    /// The wire format also contains `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1377,13 +1378,14 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
-    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
-    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
+    /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusOld`] by the size of its
+    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `model`: The model. Always 4711.
+    /// The wire format also contains `model`: The model. Always 4711.
     ///
-    /// On the wire there is also `selector`: The long layout. Always 2.
+    /// The wire format also contains `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
     #[derive(Copy, Default, Eq, Hash)]
