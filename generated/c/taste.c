@@ -1,4 +1,4 @@
-/* Asks a device for its name, and prints accelerations from a stream of bytes. */
+/* Requests the name of a device, and prints accelerations from a stream of bytes. */
 #include "mip/base.h"
 #include "mip/sensor.h"
 

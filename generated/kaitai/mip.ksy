@@ -2488,7 +2488,7 @@ types:
         doc: Data descriptor set that the contents are taken from.
       - id: decimation
         type: u2
-        doc: Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
+        doc: Base rate of the source descriptor set divided by the desired rate; a poll ignores it.
   descriptor_rate:
     doc: A field of a message format and how often it is sent.
     seq:
@@ -2497,7 +2497,7 @@ types:
         doc: Field descriptor.
       - id: decimation
         type: u2
-        doc: Base rate divided by the wanted rate.
+        doc: Base rate divided by the desired rate.
   base_base_device_info:
     doc: Identity of a device. The strings are padded with spaces.
     seq:

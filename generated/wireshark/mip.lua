@@ -647,11 +647,11 @@ S["nmea_message"] = {
   { kind = "scalar", name = "message_id", type = "u8", size = 1, enum = E["nmea_message_id"], doc = "The sentence." },
   { kind = "scalar", name = "talker_id", type = "u8", size = 1, enum = E["nmea_talker_id"], doc = "The talker in the sentence." },
   { kind = "scalar", name = "source_descriptor_set", type = "u8", size = 1, doc = "Data descriptor set that the contents are taken from." },
-  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate of the source descriptor set divided by the wanted rate; a poll ignores it." },
+  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate of the source descriptor set divided by the desired rate; a poll ignores it." },
 }
 S["descriptor_rate"] = {
   { kind = "scalar", name = "descriptor", type = "u8", size = 1, doc = "Field descriptor." },
-  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate divided by the wanted rate." },
+  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate divided by the desired rate." },
 }
 S["base.base_device_info"] = {
   { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },

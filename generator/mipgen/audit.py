@@ -99,7 +99,7 @@ def _references(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple
 
 
 def _packets(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each printed packet is an example, as often as it is printed."""
+    """Each packet in the manual is an example, as often as it appears."""
     examples = [e for e in model.examples if e.manual == manual]
     strings = Counter("".join(e.string.split()).lower() for e in examples if e.string is not None)
     tables = Counter(_head(e.table) for e in examples if e.table is not None and e.role != "field")

@@ -266,7 +266,7 @@ def units(model: m.Model, problems: Problems) -> None:
 
 
 def printed_lengths(model: m.Model, problems: Problems) -> None:
-    """A printed length either follows from the manual's own rule or has an erratum."""
+    """A length in a manual either follows from the manual's own rule or has an erratum."""
     rules = {x.id: x.lengths for x in model.protocol.manuals}
     claimed_by = {(e.manual, c.subject) for e in model.errata for c in e.claims if c.kind == "length"}
     differing = set()
@@ -275,7 +275,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             if source.length is None or source.length == "unavailable":
                 continue
             if rules.get(source.manual) == "none":
-                problems.add(source.position, f"{source.manual} prints no lengths; remove that of '{f.full_name}'")
+                problems.add(source.position, f"{source.manual} gives no lengths; remove that of '{f.full_name}'")
                 continue
             expected = computed_length(f, rules.get(source.manual, "wire"))
             if _same_length(source.length, expected):
@@ -284,7 +284,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             if (source.manual, f.full_name) not in claimed_by:
                 problems.add(
                     source.position,
-                    f"{source.manual} prints the length {source.length} for '{f.full_name}', but its rule gives "
+                    f"{source.manual} gives the length {source.length} for '{f.full_name}', but its rule gives "
                     f"{expected}; correct it, or add an erratum that claims length: {f.full_name}",
                 )
     names_ = {f.full_name for f in model.fields} | {model.protocol.acknowledge.full_name}
@@ -297,7 +297,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             elif (e.manual, c.subject) not in differing:
                 problems.add(
                     c.position,
-                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); remove the claim",
+                    f"the length that {e.manual} gives for '{c.subject}' is correct (or not given); remove the claim",
                 )
 
 
@@ -337,7 +337,7 @@ def _same_length(printed: str, expected: str) -> bool:
 
 
 def printed_bytes(model: m.Model, problems: Problems) -> None:
-    """A print that differs from the right bytes has an erratum, and the reverse."""
+    """Bytes in a manual that differ from the correct ones have an erratum, and the reverse."""
     claimed = {c.subject for e in model.errata for c in e.claims if c.kind == "example"}
     by_id = {e.id: e for e in model.examples}
     differing = {e.id for e in model.examples if differences(e)}
@@ -345,7 +345,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
         what = "; ".join(differences(by_id[name]))
         problems.add(
             by_id[name].position,
-            f"the print of '{name}' is wrong ({what}); add an erratum that claims example: {name}",
+            f"the bytes of '{name}' in the manual are wrong ({what}); add an erratum that claims example: {name}",
         )
     for e in model.errata:
         for c in e.claims:
@@ -354,11 +354,11 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
             if c.subject not in by_id:
                 problems.add(c.position, f"unknown example '{c.subject}'{nearest(c.subject, by_id)}")
             elif c.subject not in differing:
-                problems.add(c.position, f"the prints of '{c.subject}' are right; remove the claim")
+                problems.add(c.position, f"the bytes of '{c.subject}' in the manual are correct; remove the claim")
 
 
 def differences(e: m.Example) -> list[str]:
-    """How the prints of an example differ from its right bytes."""
+    """How the bytes of an example in the manual differ from the correct ones."""
     right = e.packet[4:-2] if e.role == "field" else e.packet
     found = []
     if e.string is not None:

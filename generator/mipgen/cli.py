@@ -112,7 +112,7 @@ def parser() -> argparse.ArgumentParser:
     diff.add_argument(
         "--release",
         action="store_true",
-        help="compare with the last release, and fail if the version number says less than what changed",
+        help="compare with the last release, and fail if the version number was not raised accordingly",
     )
     _spec(diff)
 
@@ -149,7 +149,7 @@ def _spec(command: argparse.ArgumentParser) -> None:
         type=Path,
         action="append",
         metavar="FOLDER",
-        help="folder of the specification (default: ./spec); further ones are laid over the first",
+        help="folder of the specification (default: ./spec); further ones are overlays of the first",
     )
 
 

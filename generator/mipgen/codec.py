@@ -102,7 +102,7 @@ class _Reader:
     def take(self, size: int) -> bytes:
         if size > len(self.data) - self.at:
             short = size - (len(self.data) - self.at)
-            raise CodecError("truncated", f"the data are {short} byte{'s' if short > 1 else ''} short")
+            raise CodecError("truncated", f"the data is {short} byte{'s' if short > 1 else ''} short")
         self.at += size
         return self.data[self.at - size : self.at]
 

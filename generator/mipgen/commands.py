@@ -168,7 +168,7 @@ def _since_release(spec: Path, overlays: list[Path]) -> int:
     print(report.text(tag))
     if compare.enough(report):
         return 0
-    print(f"mipgen: the version {report.new} says less than that; raise it in protocol.yaml", file=sys.stderr)
+    print(f"mipgen: the version {report.new} is too low for these changes; raise it in protocol.yaml", file=sys.stderr)
     return 1
 
 
@@ -216,7 +216,7 @@ def new(options: Namespace) -> int:
     """Writes a specification that validates; into an empty or new folder."""
     folder: Path = options.folder
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise Failure("there is something here already; name a folder that is new, or empty", str(folder))
+        raise Failure("this folder is not empty; name a new or empty folder", str(folder))
     schemas = resources.root() / "spec/schema"
     for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
         (folder / path).parent.mkdir(parents=True, exist_ok=True)

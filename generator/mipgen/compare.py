@@ -84,8 +84,8 @@ def enough(report: Report) -> bool:
 
 
 def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """Fields are the same thing if set, descriptor, role and constants are; and the size, where it tells layouts
-    apart."""
+    """Fields are the same thing if set, descriptor, role and constants are; and the size, if it distinguishes
+    layouts."""
     shared = {key for model in (old, new) for key, n in Counter(map(_identity, model.fields)).items() if n > 1}
 
     def place(f: m.Field) -> tuple[object, ...]:

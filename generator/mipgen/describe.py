@@ -390,7 +390,7 @@ def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
 
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
-    """What there is to say of a device besides its description, its fields, and what differs there."""
+    """The facts about a device besides its description, its fields, and what differs there."""
     found: list[Fact] = []
     if d.also:
         found.append(_fact("also", joined([(name,) for name in d.also]), "Also called {}."))
@@ -411,7 +411,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
 
 
 def lengths(manual: m.Manual, model: m.Model) -> Text:
-    """How a manual counts the lengths of fields that it prints, and for how many that makes a difference."""
+    """How a manual counts field lengths, and for how many fields that makes a difference."""
     if manual.lengths == "none":
         return ("not given",)
     if manual.lengths == "wire":
@@ -449,7 +449,7 @@ def prose(text: str, model: m.Model) -> Text:
 
 
 def quotation(text: str, model: m.Model) -> Text:
-    """What a manual prints; it names fields by their descriptors, as (0x0C,0x28)."""
+    """A quotation of a manual, which names fields by their descriptors, as (0x0C,0x28)."""
 
     def described(match: re.Match[str]) -> Ref | None:
         found = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))

@@ -233,7 +233,7 @@ class _Device:
     # ----------------------------------------------------------------------- what differs
 
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
-        """What varies belongs to fields that the device supports; what it reads in its own way is said."""
+        """Variations belong to fields that the device supports; those that need one per device have it."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
         known = {self.model.protocol.acknowledge.full_name, *(f.full_name for f in fields)}
         for path in self.node["varies"].value if "varies" in self.node else ():
@@ -299,7 +299,7 @@ class _Device:
             if name in known and name not in given:
                 self.problems.add(
                     self.place("base_rates"),
-                    f"the rate of '{name}' is missing (0 if its data are sent as they come, ~ if it is not known)",
+                    f"the rate of '{name}' is missing (0 if its data is sent as it arrives, ~ if it is not known)",
                 )
         return tuple(
             m.Rate(known[name], rate.value) for name, rate in given.items() if name in known and rate.value is not None

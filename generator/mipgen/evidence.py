@@ -1,4 +1,4 @@
-"""Examples and errata: what the manuals print, and where they are wrong."""
+"""Examples and errata: what the manuals show, and where they are wrong."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
 
-#: Bytes as printed; None for a byte that the manual leaves open.
+#: Bytes as in the manual; None for a byte that it leaves open.
 Octets = tuple[int | None, ...]
 
 #: The role of a packet by the role of its fields.
@@ -100,9 +100,9 @@ class _Example:
         return tuple(None if "?" in p else int(p, 16) for p in pairs)
 
     def packet(self, table: Octets | None) -> bytes:
-        """The right bytes: given, printed, or computed from the fields."""
+        """The correct bytes: given, from the manual, or computed from the fields."""
         keys = [k for k in ("packet", "bytes", "string", "table") if k in self.node]
-        # A string with half a byte cannot be right; `checks.differences` asks for its erratum.
+        # A string with half a byte cannot be right; `checks.differences` requires its erratum.
         keys = [k for k in keys if k != "string" or _digits(self.node[k].value) % 2 == 0]
         if not keys:
             return self.computed()
@@ -201,7 +201,9 @@ class _Example:
         try:
             split = codec.split(self.model, packet)
         except codec.CodecError as error:
-            printed = "" if "packet" in self.node else "; if it is printed so, give the right bytes in 'packet'"
+            printed = (
+                "" if "packet" in self.node else "; if the manual shows it this way, give the correct bytes in 'packet'"
+            )
             raise _Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
@@ -264,7 +266,7 @@ def _digits(text: str) -> int:
 def _known(octets: Octets, place: m.Position) -> bytes:
     """The bytes, if none is open."""
     if None in octets:
-        raise _Wrong(place, "bytes are open in the print; give 'packet' with all of them but the checksum")
+        raise _Wrong(place, "the manual leaves bytes open; give 'packet' with all bytes except the checksum")
     return bytes(x or 0 for x in octets)
 
 

@@ -141,7 +141,7 @@ class _Heir:
         return self.mapped("supports", {name: self.listed(name, entries) for name, entries in found.items()}, keys)
 
     def may_support(self, lacked: set[str], supports: Node) -> Node:
-        """The same of what is not certain; what has become certain is not among it."""
+        """The same for support that is not certain; support that has become certain is not included."""
         inherited = {**_evident(self.parent), **_fields(self.parent.get("supports"))}
         own = self.own.get("may_support")
         for full, entry in _evident(self.own).items():
@@ -167,7 +167,7 @@ class _Heir:
     # ----------------------------------------------------------------------- the rest
 
     def keyed(self, key: str, gone: set[str]) -> Node:
-        """What is said of fields and sets that are still there, then what is said here."""
+        """Statements about fields and sets that are still present, then those made here."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
         found: dict[str, Node] = {}

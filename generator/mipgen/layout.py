@@ -511,7 +511,7 @@ class _Build:
         return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole)
 
     def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
-        """Parameters that come and go together: one each, but a counter keeps up to its array."""
+        """Parameters that are present or absent together: one each, but a counter stays with its array."""
         names = [p.name for p in parameters]
         found: list[m.Operation] = []
         i = 0
@@ -553,7 +553,7 @@ class _Build:
                 return
 
     def capacities(self) -> dict[str, int]:
-        """How many items each array of open length can hold at most, where nothing comes that may be absent."""
+        """The maximum number of items of each array of open length, if nothing that may be absent is present."""
         found = {}
         for i, p in enumerate(self.done):
             if isinstance(p.length, str):

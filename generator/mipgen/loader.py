@@ -49,7 +49,7 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
         more = _documents(folder, OVERLAY, True, problems)
         if not more and not problems:
             files = ", ".join(OVERLAY.values())
-            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {files}")
+            problems.add(Position(shown(folder), 1, 1), f"nothing to add to the specification: no {files}")
         documents = overlay.lay(documents, more, problems)
     return documents
 

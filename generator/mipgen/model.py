@@ -54,7 +54,7 @@ class Source:
 
     manual: str
     section: str
-    length: str | None = None  # "14", "4 + 3*count", or None where the manual prints none
+    length: str | None = None  # "14", "4 + 3*count", or None if the manual gives none
     position: Position | None = field(default=None, compare=False)
 
 
@@ -281,11 +281,11 @@ class Parameter:
     ] = ()  # what says that it is valid: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
-    reserved: int | float | None = None  # the value to send; any value may come
+    reserved: int | float | None = None  # the value to send; any value may be received
     counts: str | None = None  # the array that this parameter counts
     tag: str | None = None  # a union's tag
     cases: tuple[Case, ...] = ()
-    by_device: bool = False  # every device that supports it has its own type for it
+    by_device: bool = False  # every device that supports it has a type for it
     required_for: tuple[Function, ...] = ()  # the functions that require it; none where there is no selector
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
@@ -390,7 +390,7 @@ class StructOp:
 class SwitchOp:
     """The one alternative that the enumeration in `tag` selects; nothing for an unknown tag.
 
-    Always the last operation of its record, so that nothing is lost behind an unknown tag.
+    Always the last operation of its record, so that nothing after an unknown tag is lost.
     """
 
     member: str
@@ -525,7 +525,7 @@ class Field:
 
     @property
     def constants(self) -> tuple[tuple[int, ConstantOp], ...]:
-        """The constants at known offsets in the data: what tells two layouts of a descriptor apart."""
+        """The constants at known offsets in the data, which distinguish two layouts of a descriptor."""
         found, offset = [], 0
         for op in self.operations:
             if not isinstance(op, (ScalarOp, ConstantOp, CounterOp, BitsOp)):
@@ -537,7 +537,8 @@ class Field:
 
     @property
     def signature(self) -> tuple[tuple[int, int, int], ...]:
-        """Its constants as offset, size and value: layouts that share them are told apart by the size of the data."""
+        """Its constants as offset, size and value: layouts that share them are distinguished by the size of the
+        data."""
         return tuple((at, op.size, op.value) for at, op in self.constants)
 
 
@@ -702,13 +703,13 @@ class Example:
     section: str
     title: str
     role: Literal["command", "reply", "data", "field"]
-    string: str | None  # as printed to copy and paste, with its misprints
-    table: tuple[int | None, ...] | None  # as printed in a table; None for a byte that is left open
+    string: str | None  # the copy-and-paste string of the manual, with its misprints
+    table: tuple[int | None, ...] | None  # as in a table of the manual; None for a byte that is left open
     packet: bytes  # always the right bytes
     fields: tuple[ExampleField, ...]
     note: str
     device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
-    synthetic: bool = False  # not printed as bytes: given by its parameters only
+    synthetic: bool = False  # given by its parameters only, not as bytes
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -743,7 +744,7 @@ class Manual:
     id: str
     title: str
     document: str
-    lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
+    lengths: Literal["wire", "scalars", "none"]  # how it counts field lengths
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
     kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers
 
@@ -759,7 +760,7 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """What a programmer must know of the protocol beside its fields."""
+    """Notes on the protocol for programmers, besides its fields."""
 
     title: str
     text: tuple[str, ...]  # sentences that belong together, each
@@ -802,7 +803,7 @@ class Protocol:
     manuals: tuple[Manual, ...]
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
-    clocks: tuple[Clock, ...] = ()  # those that tools prefer come first
+    clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC
 
 
@@ -854,7 +855,7 @@ class Model:
         return found
 
     def layouts(self, f: Field) -> tuple[Field, ...]:
-        """The layouts of the descriptor of a field: itself, and those that it must be told from."""
+        """The layouts of the descriptor of a field: itself, and those that it must be distinguished from."""
         return self._descriptors.get((f.set, f.descriptor), (f,))
 
     def sizes(self, f: Field) -> range:
@@ -894,7 +895,7 @@ class Model:
         return self._supports.get(f.full_name, ())
 
     def devices_of(self, f: Field, certain: bool = True) -> tuple[Device, ...]:
-        """The devices that support a field, or may support it; a response where one of its commands asks for it."""
+        """The devices that support a field, or may support it; a response if one of its commands requests it."""
         if f.role == RESPONSE:
             found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
         else:

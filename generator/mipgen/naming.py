@@ -87,7 +87,7 @@ def lengths(target: str, identifiers: Iterable[Identifier], longest: int, proble
 
 
 def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
-    """Two things of the specification must not become one name of a language."""
+    """Two things of the specification must not get the same name in a language."""
     seen: dict[tuple[str, str], Identifier] = {}
     for i in identifiers:
         other = seen.setdefault((i.scope, i.name), i)

@@ -16,7 +16,7 @@ from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
 
-#: Keys with texts for readers, and those with what a manual prints.
+#: Keys with texts for readers, and those with quotations of a manual.
 PROSE = ("description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text")
 QUOTATIONS = ("printed", "right")
 
@@ -104,7 +104,7 @@ class _Names:
 
     @cached_property
     def words(self) -> set[str]:
-        """Names that stand alone: of parameters, values and bits, of sets, functions, frames and devices."""
+        """Names without a set: of parameters, values and bits, of sets, functions, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
         records += [t for t in types if isinstance(t, m.Struct)]

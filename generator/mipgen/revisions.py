@@ -23,7 +23,7 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
         yield Path(name)
         return
     top = Path(
-        _git(spec, "rev-parse", "--show-toplevel", fails=f"{spec} is in no Git repository; name a folder").strip()
+        _git(spec, "rev-parse", "--show-toplevel", fails=f"{spec} is not in a Git repository; name a folder").strip()
     )
     commit = _git(
         top,

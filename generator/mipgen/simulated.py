@@ -1,6 +1,6 @@
 """What a simulated device knows and does: the part of the model that `spec/simulation` gives.
 
-The world behind it, such as a motion, is not described here; its *quantities* are named, and each value of a data
+The simulated world, such as a motion, is not described here; its *quantities* are named, and each value of a data
 field or of a response shows one of them. Likewise a command has an *effect* by name.
 """
 
@@ -54,7 +54,7 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class Behavior:
-    """What a command does beside keeping a setting, and how the setting is kept."""
+    """What a command does besides storing a setting, and how the setting is stored."""
 
     command: Field
     effect: str = ""
@@ -68,7 +68,7 @@ class Behavior:
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 
 
-#: What instances may be beside the numbers up to a limit: the ports of the device, and its data sets.
+#: What instances may be other than numbers up to a limit: the ports of the device, and its data sets.
 PORTS = "ports"
 SETS = "data_sets"
 

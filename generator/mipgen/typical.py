@@ -32,7 +32,7 @@ class Typical:
         return found | record(tuple(needed))
 
     def shown(self, f: m.Field) -> list[m.Call]:
-        """The ways to send a command that show how it is used: its first one, and the first that asks for values."""
+        """The ways to send a command that show how it is used: its first one, and the first that requests values."""
         asking = next((c for c in f.calls if self.replies(f, c)), f.calls[0])
         return [f.calls[0]] if asking is f.calls[0] else [f.calls[0], asking]
 

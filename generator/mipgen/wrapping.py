@@ -10,7 +10,7 @@ _OTHER_SPACE = re.compile(r"[\t\n\v\f\r]")
 
 
 def wrapped(text: str, width: int, hang: str = "") -> list[str]:
-    """The lines of a paragraph; those behind the first begin with `hang`. Words are never broken.
+    """The lines of a paragraph; those after the first begin with `hang`. Words are never broken.
 
     >>> wrapped("one two three", 9, "  "), wrapped("one two", 9), wrapped("", 9)
     (['one two', '  three'], ['one two'], [])

@@ -16,7 +16,7 @@ bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum m
     while (request.state == MIP_REQUEST_WAITING) {
         uint8_t chunk[64];
         const uint8_t *data = chunk;
-        size_t size = receive(chunk, sizeof(chunk)); /* 0 if nothing has come */
+        size_t size = receive(chunk, sizeof(chunk)); /* 0 if there are none */
         struct mip_packet packet;
         while (mip_parser_next(parser, &data, &size, &packet) ||
                mip_client_poll(client, parser, milliseconds(), &packet)) {

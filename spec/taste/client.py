@@ -8,7 +8,7 @@ port = serial.Serial("/dev/ttyACM0", 115200)
 port.write(client.send(base.GetDeviceInfo(), now=time.monotonic()))
 while client.pending:
     time.sleep(0.002)
-    received = port.read(port.in_waiting)  # what has come: `read` does not wait
+    received = port.read(port.in_waiting)  # received bytes: `read` does not wait
     for event in client.receive(received, now=time.monotonic()):
         if isinstance(event, Answer) and event.response:
             print(event.response)

@@ -1,6 +1,6 @@
 use mip_protocol::{base, mip_3dm, Answer, Client, Parser, RequestError};
 
-/// Your serial port: sends bytes, and gives what has come in.
+/// Your serial port: sends bytes, and returns those received.
 fn exchange(_sent: &[u8]) -> &'static [u8] {
     &[]
 }

@@ -72,7 +72,7 @@ static uint32_t milliseconds(void *) {
         std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
 }
 
-// Functions of a class behind those that C calls: lambdas without captures.
+// Functions that C calls, and that call those of a class: lambdas without captures.
 static mip_port port_of(Connection &connection) {
     return {[](void *user, uint8_t *bytes, size_t size, size_t *count) {
                 return static_cast<Connection *>(user)->read(bytes, size, count);

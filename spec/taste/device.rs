@@ -19,5 +19,5 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
             println!("{:.4} g along x", accel.scaled_accel.x);
         }
     }
-    Ok(()) // nothing has come for a second
+    Ok(()) // no data for a second
 }

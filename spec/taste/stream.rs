@@ -1,4 +1,4 @@
-//! Asks a device on a serial port for accelerations, ten times a second, and prints fifty of them.
+//! Requests accelerations from a device on a serial port, ten times a second, and prints fifty.
 //!
 //!     cargo run --example stream --features std -- /dev/ttyACM0
 

@@ -89,7 +89,7 @@ def said(facts: Iterable[describe.Fact]) -> list[str]:
 def in_full(thing: m.Field | m.Type | m.EnumValue | m.Bits) -> list[str]:
     """The whole name of a thing that has a shorter one in C."""
     name = thing.full_name if isinstance(thing, m.Field) else thing.name
-    return [f"In full: {name}."] if getattr(thing, "short", None) else []
+    return [f"Full name: {name}."] if getattr(thing, "short", None) else []
 
 
 def prose(text: str, of: m.Model) -> str:
@@ -247,9 +247,9 @@ def test_words_of_c() -> None:
         "Required by no function, not even by write. Optional. If mode is MIP_MODE_FAST: unit s; range 1 to 10; "
         "default 5. If mode is MIP_MODE_SLOW: unit m."
     )
-    assert "x by MIP_STATE_FLAGS_READY in valid_flags, y by" in found["mip_measurements_accel.scaled_accel"]
+    assert "x: MIP_STATE_FLAGS_READY in valid_flags, y:" in found["mip_measurements_accel.scaled_accel"]
     assert found["mip_tools_status"].endswith(
-        "On the wire only, without a member: - model: The model that the layouts belong to. Always 4711. "
+        "Parameters without a member, on the wire only: - model: The model that the layouts belong to. Always 4711. "
         "- guide: Status"
     )
     assert found["MIP_STATE_FLAGS_MODE"] == "Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode."

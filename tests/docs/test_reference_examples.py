@@ -28,17 +28,19 @@ def test_every_example_has_its_section(manual: Manual) -> None:
         section = manual.section("examples.md", f"example.{e.id}")
         seen = words(section)
         (block,) = re.findall(r"^```text\n(.*)\n```$", section, re.M)
-        rows = table_with(section, "Bytes", "What")
+        rows = table_with(section, "Bytes", "Part")
         assert bytes.fromhex(block) == shown(e)
         assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id
         device = f", {e.device.title}" if e.device else ""
         assert f"\n### {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
         assert prose(e.note, manual.model) in seen
         assert (
-            (e.string is not None) == ("Printed as a string" in seen) == (f"Printed as a string: {e.string}\n" in seen)
+            (e.string is not None)
+            == ("As a string in the manual" in seen)
+            == (f"As a string in the manual: {e.string}\n" in seen)
         )
         table = " ".join("??" if b is None else f"{b:02X}" for b in e.table or ())
-        assert (e.table is not None) == (f"Printed as a table: {table}\n" in seen)
+        assert (e.table is not None) == (f"As a table in the manual: {table}\n" in seen)
         check_values(manual.model, e, rows)
 
 
@@ -81,7 +83,7 @@ def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> No
     for path, value in values:
         if value == [] or value == "" or value == {}:
             continue
-        while words(rows[at]["What"]) != path:
+        while words(rows[at]["Part"]) != path:
             at += 1
             assert at < len(rows), (e.id, path)
         text = words(rows[at]["Value"])

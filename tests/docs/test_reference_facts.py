@@ -68,7 +68,7 @@ def test_sources_of_a_field(manual: Manual) -> None:
                 said = [b for b in bullets(section) if b.startswith(f"{remark} given as {s.length}")]
                 others = [x for x in f.sources if x is not s and x.length == s.length]
                 assert bool(said) == (int(s.length) != f.max_size + 2) or others, f.full_name
-                assert all(f"it is {f.max_size + 2}" in b for b in said)
+                assert all(f"instead of {f.max_size + 2}" in b for b in said)
 
 
 # --------------------------------------------------------------------------- parameters
@@ -209,10 +209,10 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
         ("fields/tools/", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
         ("fields/tools/", "`write` and `read` only", "`write` only"),  # functions on a device
         ("fields/3d/", "`fast` (1)", "`slow` (2)"),  # the setting of another command
-        ("fields/measurements/", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
+        ("fields/measurements/", "x: [`valid_flags.ready`]", "x: [`valid_flags.hot`]"),  # a valid flag
         ("fields/measurements/", "[sensor](../../units.md#frame.sensor-frame)", ""),  # a frame
         ("fields/measurements/", "[Model B](../../devices/model-b.md) and ", ""),  # a device
-        ("fields/measurements/", "Sent at 100 Hz at most.", ""),  # a rate
+        ("fields/measurements/", "Maximum rate: 100 Hz.", ""),  # a rate
         ("types.md", "| bit 1 |", "| bit 2 |"),  # the place of a bit
         ("types.md", "Deprecated.", ""),  # of a value
     ],

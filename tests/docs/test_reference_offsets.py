@@ -133,7 +133,7 @@ def test_offsets_are_those_of_the_bytes(manual: Manual) -> None:
                 names = {**filler.counts, **indices}
                 offset = evaluate(words(row["Offset"]), names)
                 assert data[offset : offset + len(raw)] == raw, f"{f.full_name}: {name}"
-                if words(row["Bytes"]) not in ("rest", "by case"):
+                if words(row["Bytes"]) not in ("rest", "depends"):
                     assert evaluate(words(row["Bytes"]), names) == len(raw), f"{f.full_name}: {name}"
                 unseen.discard(name)
             if not unseen:
@@ -149,7 +149,7 @@ def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], fille
     if f.role != m.COMMAND:
         (text,) = re.findall(r"^Field length: (.*?)\.$", words(section), re.M)
         return lengths(text.replace(" with all optional parameters", ""), filler.counts)
-    rows = table_with(section, "Field begins", "Field length")
+    rows = table_with(section, "Field begins with", "Field length")
     function = values.get("function")
     ((call, row),) = (
         (c, row) for c, row in zip(f.calls, rows, strict=True) if not c.function or c.function.value == function

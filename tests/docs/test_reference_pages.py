@@ -115,13 +115,13 @@ def test_fields_and_types_between_backticks_are_links() -> None:
 
 def test_descriptors_in_quotations_are_links() -> None:
     errata = manual_of("invented").page("errata.md")
-    assert "- Printed: See (0x01,0x7F)." in errata
+    assert "- Published: See (0x01,0x7F)." in errata
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
     page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page("errata.md")
     quoted = "The text refers to `tools.ping` by [(0x01,0x01)](fields/tools/ping.md#tools.ping)."
-    assert f"- Printed: {quoted}\n- Right: {quoted}\n" in page
-    assert "- Why: The text refers to [Ping (0x01,0x01)](fields/tools/ping.md#tools.ping) by (0x01,0x01)." in page
+    assert f"- Published: {quoted}\n- Correct: {quoted}\n" in page
+    assert "- Reason: The text refers to [Ping (0x01,0x01)](fields/tools/ping.md#tools.ping) by (0x01,0x01)." in page
 
 
 def test_what_is_said_of_the_protocol(manual: Manual) -> None:

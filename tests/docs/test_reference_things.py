@@ -161,18 +161,18 @@ def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
 def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
     """How it begins, what follows, its length, the whole packet if nothing is open, and how it is answered."""
     for f in (f for f in manual.model.fields if f.role == m.COMMAND):
-        rows = table_with(manual.field(f), "Field begins", "Answer")
+        rows = table_with(manual.field(f), "Field begins with", "Answer")
         for c, row in zip(f.calls, rows, strict=True):
             cells = {key: words(value) for key, value in row.items()}
             if c.function:
                 assert cells["Function"] == f"{c.function.letter} {c.function.name}"
                 assert cells["Value"] == f"0x{c.function.value:02X}"
             selector = [c.function.value] if c.function else []
-            first, *rest = cells["Field begins"].split()
+            first, *rest = cells["Field begins with"].split()
             assert first == (f"{int(cells['Field length']):02X}" if cells["Field length"].isdigit() else "LL")
             assert bytes.fromhex("".join(rest)) == bytes([f.descriptor, *selector])
-            assert cells.get("Then follow", "") == ", ".join(p.name for p in c.required)
-            assert cells.get("May follow", "") == ", ".join(p.name for p in c.optional)
+            assert cells.get("Required parameters", "") == ", ".join(p.name for p in c.required)
+            assert cells.get("Optional parameters", "") == ", ".join(p.name for p in c.optional)
             check_answer(manual, f, c, row["Answer"])
         for c, row in zip(
             f.calls,
@@ -187,7 +187,7 @@ def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
             assert list(values) == [
                 p.name for p in f.parameters if p.selector or (p in c.required and p.constant is None)
             ]
-            check_said(manual.model, f, values, words(row.get("With", "")))
+            check_said(manual.model, f, values, words(row.get("Values", "")))
 
 
 def check_said(of: m.Model, f: m.Field, values: dict[str, Any], said: str) -> None:
@@ -339,7 +339,7 @@ def test_what_differs_on_a_device(manual: Manual) -> None:
             [f"{s.field.title} {number(s.field)}", letters(s.functions), letters(s.field.functions)] for s in functions
         ]
         assert [row for row in rows if row[0] == "Command"][:1] == (
-            [["Command", "Functions here", "All functions"]] if wanted else []
+            [["Command", "Functions on this device", "All functions"]] if wanted else []
         )
         assert all(row in rows for row in wanted)
         for v in d.variants:
@@ -353,7 +353,7 @@ def test_base_rates(manual: Manual) -> None:
     for d in manual.model.devices:
         page = manual.page(f"devices/{d.id}.md")
         for r in d.base_rates:
-            shown = f"{r.hertz:g} Hz" if r.hertz else "sent as it comes"
+            shown = f"{r.hertz:g} Hz" if r.hertz else "sent as it arrives"
             of_set = f"{r.set.title} (0x{r.set.number:02X})"
             assert [of_set, shown] in rows_of(page)
             listed = any(s.field.set == r.set.number for s in d.certain)  # a poorly known device may have none
@@ -372,7 +372,7 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
         assert f"### {e.id}\n" in text and f"{e.severity.capitalize()}*, in “{e.section}”." in text, e.id
         listed = [
             f"{key}: {prose(value, of)}"
-            for key, value in (("Printed", e.printed), ("Right", e.right), ("Why", e.reason))
+            for key, value in (("Published", e.printed), ("Correct", e.right), ("Reason", e.reason))
         ]
         assert bullets(section)[:3] == listed, e.id
         title = next(x.title for x in of.protocol.manuals if x.id == e.manual)

@@ -32,7 +32,7 @@ FAULTS = {"_fault", "Fault", "_unclosed"}
 
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
-    "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to lay over the specification: no {files}')":
+    "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to add to the specification: no {files}')":
         "test_overlay.py::test_messages",
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":

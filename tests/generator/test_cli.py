@@ -74,9 +74,7 @@ def test_a_folder_with_something_in_it_is_left_alone(tmp_path: Path, capsys: pyt
     (tmp_path / "mine.txt").write_text("mine\n")
     for folder in (tmp_path, tmp_path / "mine.txt"):
         assert cli.main(["new", str(folder)]) == 1
-        assert capsys.readouterr().err == (
-            f"{folder}: error: there is something here already; name a folder that is new, or empty\n"
-        )
+        assert capsys.readouterr().err == (f"{folder}: error: this folder is not empty; name a new or empty folder\n")
     assert [p.name for p in tmp_path.iterdir()] == ["mine.txt"]
 
 

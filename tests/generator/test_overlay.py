@@ -86,7 +86,7 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {
         (
             "sets/a.txt",
             "",
-            ":1:1: error: nothing to lay over the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml",
+            ":1:1: error: nothing to add to the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml",
         ),
     ],
 )

@@ -233,7 +233,7 @@ def test_any_form(page: browser.Page, text: str) -> None:
 def test_a_wrong_checksum(page: browser.Page) -> None:
     (shown,) = inspected(page, "75 65 01 02 02 01 E0 C7")
     assert shown["kind"] == "damaged" and [f["name"] for f in shown["fields"]] == ["base.ping"]
-    assert shown["verdict"] == "Checksum E0 C7 is wrong; right is E0 C6."
+    assert shown["verdict"] == "Checksum E0 C7 is wrong; correct: E0 C6."
 
 
 def test_an_incomplete_packet(page: browser.Page) -> None:
@@ -246,7 +246,7 @@ def test_what_cannot_be_decoded(page: browser.Page) -> None:
     short = codec.build(model("real"), 0x80, [(0x04, b"\0\0"), (0xEE, b"\1")])
     (shown,) = inspected(page, short.hex())
     accel, unknown = shown["fields"]
-    assert accel["wrong"] == "It cannot be decoded: the data are 2 bytes short." and unknown["name"] == ""
+    assert accel["wrong"] == "It cannot be decoded: the data is 2 bytes short." and unknown["name"] == ""
 
 
 def test_misprints_are_named(page: browser.Page) -> None:

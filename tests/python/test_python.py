@@ -177,7 +177,7 @@ for error in (Truncated(2, 1), DecodeError("count", "x"), PacketError("sync", "y
     assert (type(again), str(again), again.kind) == (type(error), str(error), error.kind), again
 print(Truncated(2, 1))
 """
-    assert user(REAL, code) == "truncated: 2 bytes wanted, 1 left\n"
+    assert user(REAL, code) == "truncated: 2 bytes needed, 1 left\n"
 
 
 def test_signalling_nan_keeps_its_bits() -> None:

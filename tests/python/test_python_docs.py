@@ -33,7 +33,7 @@ def documentation(path: Path) -> dict[str, str]:
             found |= _attributes(f"{node.name}.", node.body)
             lines = "\n".join(source.splitlines()[node.lineno : node.end_lineno])
             comments = plain(" ".join(re.findall(r"^    # ?(.*)", lines, re.M)))
-            for name, text in re.findall(r"On the wire: (\w+)\. (.*?)(?=On the wire: |$)", comments):
+            for name, text in re.findall(r"On the wire only: (\w+)\. (.*?)(?=On the wire only: |$)", comments):
                 found[f"{node.name}#{name}"] = text.strip()
     return found
 
@@ -142,7 +142,7 @@ def test_references_are_names_of_python() -> None:
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
         "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."
     )
-    assert more["Accel.scaled_accel"].endswith("z by `types.StateFlags.READY` of `valid_flags`.")
+    assert more["Accel.scaled_accel"].endswith("z: `types.StateFlags.READY` of `valid_flags`.")
     assert "Has the layout of `measurements.Accel`." in more["Accel"]
 
 

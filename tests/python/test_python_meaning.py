@@ -178,7 +178,7 @@ def test_only_types_of_the_specification_are_known() -> None:
 
     assert Mine.INFO is real.sensor.ScaledAccel.INFO
     for other in (int, real.field.Data, real.codec.OpenEnum):
-        with pytest.raises(LookupError, match="is no type of the specification"):
+        with pytest.raises(LookupError, match="is not a type of the specification"):
             real.reflection.info(other)
     assert not hasattr(real.field.Field, "INFO")
     with pytest.raises(KeyError):

@@ -189,7 +189,7 @@ def test_lints_of_examples() -> None:
 def test_log_to_csv(log: Path) -> None:
     code, out, error = ran("log_to_csv", log)
     head, row = out.splitlines()
-    assert (code, error) == (0, "14 bytes belong to no packet\n")
+    assert (code, error) == (0, "14 bytes are not part of a packet\n")
     assert head.split(",")[:2] == ["tow_s", "accel_x_g"] and head.count(",") == row.count(",") == 6
     assert row == ",0.24452066,-0.0043405485,NaN,,,"
     assert ran("log_to_csv")[0] == 1

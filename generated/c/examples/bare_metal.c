@@ -7,7 +7,7 @@
 
 /* ------------------------------------------------------------------------ what the board offers */
 
-/* The data register of the UART: the byte that has come, and one to send, once there is room. */
+/* The data register of the UART: the byte received, and one to send, once there is room. */
 uint8_t uart_receive(void);
 void uart_send(uint8_t byte);
 /* Milliseconds since the start, counted by the interrupt of a timer. */
@@ -23,7 +23,7 @@ void application_take(const float accel[3]);
 static volatile uint8_t ring[256];
 static volatile uint8_t ring_end, ring_start;
 
-/* To be called when a byte has come. */
+/* To be called when a byte has been received. */
 void uart_interrupt(void);
 void uart_interrupt(void) {
     const uint8_t byte = uart_receive();

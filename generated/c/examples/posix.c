@@ -1,4 +1,4 @@
-/* Asks a device on a serial port for accelerations, ten times a second, and prints fifty of them.
+/* Requests accelerations from a device on a serial port, ten times a second, and prints fifty.
  *
  * Only the first part depends on the system: on a microcontroller, it is replaced by the UART. */
 #define _POSIX_C_SOURCE 200809L
@@ -32,14 +32,14 @@ static int port_open(const char *path, speed_t speed) {
     mode.c_oflag = 0;
     mode.c_lflag = 0;
     mode.c_cflag = CS8 | CREAD | CLOCAL;
-    mode.c_cc[VMIN] = 0;  /* a read returns what has come, */
+    mode.c_cc[VMIN] = 0;  /* a read returns what there is, */
     mode.c_cc[VTIME] = 1; /* or nothing after 0.1 s */
     if (cfsetispeed(&mode, speed) != 0 || cfsetospeed(&mode, speed) != 0 ||
         tcsetattr(port, TCSANOW, &mode) != 0) {
         close(port);
         return -1;
     }
-    tcflush(port, TCIOFLUSH); /* what came before is of no use */
+    tcflush(port, TCIOFLUSH); /* discard old data */
     return port;
 }
 
@@ -74,10 +74,10 @@ static uint32_t milliseconds(void *user) {
     return (uint32_t)now.tv_sec * 1000u + (uint32_t)(now.tv_nsec / 1000000);
 }
 
-/* ------------------------------------------------------------------------ what it sends */
+/* ------------------------------------------------------------------------ received data */
 
 struct samples {
-    /* The latest time stamp, how many accelerations have come, and when the last one came. */
+    /* The latest time stamp, the number of accelerations, and when the last one arrived. */
     struct mip_shared_gps_timestamp time;
     unsigned count;
     uint32_t arrived;
@@ -112,7 +112,7 @@ static const struct mip_handler handlers[] = {
     {MIP_SENSOR_SCALED_ACCEL, on_accel, &samples},
 };
 
-/* ------------------------------------------------------------------------ what we want from it */
+/* ------------------------------------------------------------------------ configuration */
 
 #define RATE 10u /* Hz */
 #define SAMPLES 50u
@@ -133,7 +133,7 @@ static bool configure(struct mip_device *device) {
     struct mip_descriptor_rate fields[] = {{MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR, 0},
                                            {MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 0}};
 
-    /* Without data in between, the answers come at once, whatever was set before. */
+    /* Without data in between, the answers arrive at once, whatever was set before. */
     if (!done("idle", mip_call_base_set_idle(device)) ||
         !done("device information", mip_call_base_get_device_info(device, &info)) ||
         !done("base rate", mip_call_3dm_get_base_rate(device, MIP_SENSOR_SET, &base))) {

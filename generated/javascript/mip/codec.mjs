@@ -53,7 +53,7 @@ class Reader {
     take(size) {
         if (size > this.left) {
             const short = size - this.left;
-            throw new MipError("truncated", `the data are ${short} byte${short > 1 ? "s" : ""} short`);
+            throw new MipError("truncated", `the data is ${short} byte${short > 1 ? "s" : ""} short`);
         }
         this.at += size;
         return this.data.subarray(this.at - size, this.at);

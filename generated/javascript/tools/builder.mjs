@@ -274,7 +274,7 @@ function answerReport(protocol, field, values, to) {
         element(
             "p",
             { class: "mip-answer" },
-            listed.length ? "The acknowledge, and directly behind it in the same packet a response:" : "The acknowledge: ",
+            listed.length ? "The acknowledge, directly followed by a response in the same packet:" : "The acknowledge: ",
             !listed.length && element("code", {}, spacedHex(acknowledge.bytes)),
             !listed.length && unless,
         ),

@@ -16,9 +16,9 @@ from .protocol import VERSION
 #: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
 COMMANDS = {
     "dump": ("cli.dump", "show packets with names, values and units"),
-    "info": ("cli.info", "say what is in a log: types, rates, gaps, damage"),
+    "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),
     "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
-    "plot": ("cli.plot", "draw values of a log over time"),
+    "plot": ("cli.plot", "plot values of a log over time"),
     "cut": ("cli.cut", "copy a part of a log"),
     "record": ("cli.record", "write what a device sends to a file"),
     "monitor": ("cli.monitor", "show the latest values of a device, live"),
@@ -26,11 +26,11 @@ COMMANDS = {
     "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
     "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
     "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
-    "completion": ("cli.completion", "print a script that completes commands in a shell"),
+    "completion": ("cli.completion", "print a script for completion in a shell"),
 }
 
 EPILOG = """\
-`mip COMMAND --help` says more.
+`mip COMMAND --help` shows more.
 
 exit status: 0 done, 1 failed (one line says why), 2 the command line is wrong, 3 the device
 refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the output has stopped
@@ -83,7 +83,7 @@ class _Layout(argparse.RawDescriptionHelpFormatter):
 def _run(given: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="mip",
-        description="Tools for devices that speak MIP.",
+        description="Tools for devices that use MIP.",
         epilog=EPILOG,
         formatter_class=_Layout,
     )
@@ -101,7 +101,7 @@ def _run(given: list[str]) -> int:
             used = added
     options, unknown = parser.parse_known_args(given)
     if unknown:
-        used.error(f"{' '.join(unknown)} is not understood; see --help")
+        used.error(f"{' '.join(unknown)} is not recognized; see --help")
     if options.command is None:
         parser.print_help()
         return 0

@@ -1,7 +1,8 @@
-"""What passes between a program and a device, without input or output: requests, data, settings.
+"""The communication between a program and a device, without input or output: requests, data,
+settings.
 
-`Device` and `aio.Device` move the bytes and wait; everything that they know of the device is here.
-Nothing in this module waits, and nothing locks: its callers do.
+`Device` and `aio.Device` transfer the bytes and wait; the state of the device is kept here. Nothing
+in this module waits or locks: its callers do.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from .protocol import FunctionSelector
 
 F = TypeVar("F", bound=Field)
 
-#: Seconds without a byte after which an incomplete packet is given up.
+#: Seconds without a byte after which an incomplete packet is discarded.
 SILENCE = 1.0
 #: Packets that wait for the program, by default.
 CAPACITY = 10_000
@@ -29,7 +30,7 @@ CAPACITY = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Arrival:
-    """A packet with fields that answer no command, and when it came: data, as a rule."""
+    """A packet with fields that do not answer a command, usually data, and its time of arrival."""
 
     packet: Packet
     time: float
@@ -41,7 +42,7 @@ class Arrival:
 
     @property
     def fields(self) -> tuple[RawField, ...]:
-        """The fields that answer no command, up to a malformed one."""
+        """The fields that do not answer a command, up to a malformed one."""
         return Received(self.packet, self.taken).fields
 
     def find(self, kind: type[F]) -> F | None:
@@ -56,7 +57,7 @@ class Arrival:
 
 
 class Ticket:
-    """A command that was sent, and what has become of it."""
+    """A command that was sent, and its outcome."""
 
     __slots__ = ("command", "done", "outcome", "sent")
 
@@ -75,7 +76,7 @@ class Ticket:
 
 @dataclass(frozen=True)
 class News:
-    """What has changed, so that those who wait for it can be woken."""
+    """What has changed, so that callers that wait for it can be woken."""
 
     answers: bool = False
     arrivals: bool = False
@@ -107,7 +108,7 @@ class Conversation:
         self._incomplete = False
 
     def restart(self) -> None:
-        """The port has been opened again. The data that wait are kept."""
+        """The port has been opened again. Waiting data is kept."""
         for ticket in self._tickets:
             ticket.end(TimedOut(ticket.command))
         self._tickets.clear()
@@ -142,14 +143,15 @@ class Conversation:
         return packet, tickets
 
     def forget(self, tickets: Sequence[Ticket]) -> None:
-        """Nobody waits for these commands any more."""
+        """No caller waits for these commands any more."""
         for ticket in tickets:
             if not ticket.done:
                 self._client.cancel(ticket.sent)
         self._tickets = [t for t in self._tickets if t not in tickets]
 
     def question(self, command: Command) -> Command | None:
-        """What to ask the device before this command, to know whether it will be acknowledged."""
+        """What to read from the device before this command, to know whether it will be
+        acknowledged."""
         for number, descriptor, _, _ in command.SILENCED_BY:
             if command.answered and (number, descriptor) not in self._settings:
                 from .registry import types
@@ -192,13 +194,14 @@ class Conversation:
     # ----------------------------------------------------------------- what comes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
-        """Takes bytes that came at this time, by both clocks."""
+        """Takes bytes received at this time, by both clocks."""
         self._heard = monotonic
         self._incomplete = True
         return self._handle(self._client.receive(data, monotonic), monotonic, clock)
 
     def idle(self, monotonic: float, clock: float) -> News:
-        """Nothing has come for a moment. Noise may look like the start of a packet: what is behind it comes first."""
+        """No bytes have arrived for a moment. Noise may look like the start of a packet: packets
+        after it are processed."""
         if not self._incomplete:
             return self._handle(self._client.poll(monotonic), monotonic, clock)
         if monotonic - self._heard < SILENCE:
@@ -211,7 +214,7 @@ class Conversation:
         return self._handle(self._client.poll(monotonic), monotonic, time.time())
 
     def end(self, monotonic: float, clock: float) -> News:
-        """The port is gone: nothing more will come."""
+        """The port is lost: no more bytes will arrive."""
         return self._handle(self._client.flush(monotonic), monotonic, clock)
 
     @property
@@ -250,7 +253,7 @@ class Conversation:
 
 
 def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
-    """What the device has answered, or the error that says why there is nothing."""
+    """The answer of the device, or the error that says why there is none."""
     outcome = ticket.outcome
     if outcome is None:
         return None

@@ -294,9 +294,9 @@ class SbasCorrection(gnss_1.SbasCorrection):
     Has the layout of `gnss_1.SbasCorrection`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
-    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
-    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
-    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+    An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
+    `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
+    1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -331,7 +331,7 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 
     Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
 
-    An epoch is sent as one field for each satellite; index and count number the fields.
+    An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
     """
@@ -349,8 +349,8 @@ class Raw(gnss_1.Raw):
 
     Has the layout of `gnss_1.Raw`. Supported by 3DM-CV7-GNSS/INS.
 
-    An epoch is sent as one field for each signal; index and count number the fields. The greatest
-    lock time depends on the receiver.
+    An epoch is sent as one field for each signal; `index` and `count` number the fields. The
+    greatest lock time depends on the receiver.
 
     - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
     """

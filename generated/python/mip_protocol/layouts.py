@@ -1,9 +1,10 @@
 """Decoders for layouts of packets: for the fields that follow each other in them.
 
-A device sends packets of a few layouts, over and over. One that comes often gets a function of its own: it reads
-all numbers of the packet at once, and makes the objects from them. The first bytes of a packet and its length pick
-the function; it checks the headers of the fields. Whatever is odd goes the general way, through the `decode` of each
-field, with the same result: unknown fields, those without fixed places, other headers, floats that are no numbers.
+A device sends packets of a few layouts repeatedly. A layout that occurs often gets its own
+function, which reads all numbers of the packet at once and creates the objects from them. The first
+bytes of a packet and its length select the function, which checks the headers of the fields. All
+other cases are decoded the general way, by the `decode` of each field, with the same result:
+unknown fields, fields without fixed places, other headers, floats that are not numbers.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ Decode = Callable[[bytes, int], "Fields | None"]
 
 #: The first bytes of a packet that pick its layout: they end with the header of the first field.
 KEY = 6
-#: A layout gets its function when it comes for the so-manieth time.
+#: A layout gets its function when it has occurred this many times.
 OFTEN = 8
 #: The most layouts that have one.
 MOST = 512

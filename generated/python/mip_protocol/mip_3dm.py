@@ -4471,7 +4471,7 @@ class ImuMessageFormat(Command[R]):
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate. The list replaces the previous one. If any descriptor is unknown, the device
+    the desired rate. The list replaces the previous one. If any descriptor is unknown, the device
     refuses the command and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
@@ -4587,7 +4587,7 @@ class GnssMessageFormat(Command[R]):
     3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
-    the wanted rate.
+    the desired rate.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -4703,7 +4703,7 @@ class FilterMessageFormat(Command[R]):
     and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate. The list replaces the previous one. If any descriptor is unknown,
+    divided by the desired rate. The list replaces the previous one. If any descriptor is unknown,
     the device refuses the command and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
@@ -5074,7 +5074,7 @@ class MessageFormat(Command[R]):
     Supported by 3DM-CV7-GNSS/INS.
 
     The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate. List shared descriptors (0xD0 and up) under the set whose packets will contain
+    desired rate. List shared descriptors (0xD0 and up) under the set whose packets will contain
     them, before the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)

@@ -1,4 +1,4 @@
-"""Finds the type of any field. Sets are imported when they are first asked for."""
+"""Finds the type of any field. Sets are imported when they are first used."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ __all__ = [
 def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
     """The types of a descriptor in packets of a set; empty if it is unknown.
 
-    Several mean that constants in the data, or their size, tell them apart.
+    If there are several, constants in the data, or its size, distinguish them.
     """
     if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
         return (Acknowledge,)
@@ -50,11 +50,11 @@ def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
 
 
 def by_name(name: str) -> type[Field]:
-    """The type of a field: by its full name ("sensor.scaled_accel"), as its class is called
-    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or as the vendor calls it.
+    """The type of a field: by its full name ("sensor.scaled_accel"), by the name of its class
+    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or by the vendor's name.
 
-    The name of the set may be left out where that leads to one field. Raises UnknownName, which
-    says the nearest names.
+    The name of the set may be left out if the rest is unambiguous. Raises UnknownName, which gives
+    the nearest names.
     """
     from .lookup import field
 
@@ -93,8 +93,8 @@ def decode(raw: RawField) -> Field | None:
 def decode_packet(packet: Packet) -> list[Field | RawField]:
     """All fields of a packet; those that are unknown or cannot be decoded stay raw.
 
-    `error` of a raw field says why it cannot be decoded. Stops at a malformed field, because no field can be found
-    after it: see `Packet.malformed`.
+    `error` of a raw field is the reason why it cannot be decoded. Stops at a malformed field,
+    because no field can be found after it: see `Packet.malformed`.
     """
     return list(LAYOUTS.decode(packet))
 

@@ -1,7 +1,7 @@
-"""Puts together what a device has measured at one time and sent in several packets.
+"""Combines what a device has measured at one time and sent in several packets.
 
-A message that does not fit into one packet goes on in continuation packets of the same set. The
-shared fields at its front, such as a timestamp, are repeated in each of them.
+A message that does not fit into one packet continues in further packets of the same set. The shared
+fields at its front, such as a timestamp, are repeated in each of them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ MOST = 256
 
 
 class HasPacket(Protocol):
-    """What holds a packet, as an `Arrival` does."""
+    """An object with a packet, such as an `Arrival`."""
 
     @property
     def packet(self) -> Packet: ...
@@ -35,7 +35,7 @@ _Shared: TypeAlias = tuple[RawField, ...]
 
 @dataclass
 class _Group(Generic[P]):
-    """The packets of one set that belong together as far as they have come."""
+    """The packets of one set that belong together, as far as they have arrived."""
 
     shared: _Shared
     items: list[P] = field(default_factory=list)
@@ -45,12 +45,12 @@ class _Group(Generic[P]):
 
 
 class Samples(Generic[P]):
-    """Takes packets as they come and returns those that belong together, as lists.
+    """Takes packets as they arrive and returns those that belong together, as lists.
 
     A packet belongs to the one of its set before it if the shared fields at their front are the
-    same, its own fields have not come yet, and either the shared fields tell a time or its first
-    field had no room in the packet before. A list of several fields of one descriptor may go on,
-    too. A packet of commands is a list of its own.
+    same, its own fields have not arrived yet, and either the shared fields tell a time or its first
+    field had no room in the packet before. A list of several fields of one descriptor may also
+    continue. A packet of commands is a list of its own.
     """
 
     def __init__(self) -> None:
@@ -78,7 +78,7 @@ class Samples(Generic[P]):
         return complete
 
     def flush(self) -> list[list[P]]:
-        """What has not been returned yet, as at the end of a log."""
+        """The packets that have not been returned yet, for example at the end of a log."""
         complete = [group.items for group in self._groups.values()]
         self._groups.clear()
         return complete

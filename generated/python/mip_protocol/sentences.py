@@ -11,7 +11,7 @@ _END = re.compile(rb"\*([0-9A-Fa-f]{2})\r?\Z")
 
 
 class Sentences:
-    """Takes bytes in pieces of any size and returns the whole sentences with a right checksum.
+    """Takes bytes in pieces of any size and returns the whole sentences with a correct checksum.
 
     >>> sentences = Sentences()
     >>> sentences.feed(b"ue$GPZDA,,,,,,*48" + bytes([13]))
@@ -32,7 +32,7 @@ class Sentences:
 
 
 def _sentence(line: bytearray) -> str | None:
-    """The sentence at the end of a line; what is before it is noise."""
+    """The sentence at the end of a line; any bytes before it are noise."""
     end = _END.search(line)
     if end is None:
         return None

@@ -934,7 +934,7 @@ class NmeaMessage(Structure):
     source_descriptor_set: int
     """Data descriptor set that the contents are taken from."""
     decimation: int
-    """Base rate of the source descriptor set divided by the wanted rate; a poll ignores it."""
+    """Base rate of the source descriptor set divided by the desired rate; a poll ignores it."""
 
     def __init__(
         self,
@@ -1282,7 +1282,7 @@ class DescriptorRate(Structure):
     descriptor: int
     """Field descriptor."""
     decimation: int
-    """Base rate divided by the wanted rate."""
+    """Base rate divided by the desired rate."""
 
     def __init__(self, descriptor: int, decimation: int) -> None:
         self.descriptor = descriptor

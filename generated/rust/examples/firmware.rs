@@ -14,7 +14,7 @@ use mip_protocol::{Answer, Client, Parser, RawField};
 
 /// What the program needs of its machine.
 trait Board {
-    /// A byte that has come; `None` if there is none yet.
+    /// A received byte; `None` if there is none yet.
     fn receive(&mut self) -> Option<u8>;
     fn send(&mut self, bytes: &[u8]);
     fn milliseconds(&mut self) -> u64;

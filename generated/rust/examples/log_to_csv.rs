@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let columns = [time.unwrap_or_default(), text(accel), text(gyro)];
         writeln!(table, "{}", columns.join(","))?;
     }
-    eprintln!("{} bytes belong to no packet", packets.parser().skipped());
+    eprintln!("{} bytes are not part of a packet", packets.parser().skipped());
     Ok(())
 }
 

@@ -85,7 +85,7 @@ pub(crate) const fn no_bytes<const N: usize>(bytes: [u8; N]) -> bool {
     true
 }
 
-/// Puts the bits of two storages together.
+/// Combines the bits of two storages.
 macro_rules! merge {
     ([u8; $size:literal], $how:ident, $a:expr, $b:expr) => {
         $crate::bits::$how($a, $b)

@@ -14,8 +14,8 @@ use crate::registry::AnyField;
 
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
-/// The caller moves the bytes and supplies the time: any count of milliseconds that never
-/// decreases. A [`Device`](crate::device::Device) does both at a port.
+/// The caller transfers the bytes and provides the time: any count of milliseconds that never
+/// decreases. A [`Device`](crate::device::Device) does both for a port.
 ///
 /// 1. [`Client::send`] returns the bytes of one command to send; for several in one packet,
 ///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
@@ -26,11 +26,11 @@ use crate::registry::AnyField;
 ///    their events.
 ///
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
-/// [`Client::take`] do. For that, each of the `N` slots has room for the longest response. The
-/// packet to send is in the client too, so that none has to be moved.
+/// [`Client::take`] does. For this purpose, each of the `N` slots has room for the longest
+/// response. The packet to send is also in the client, so that it need not be moved.
 ///
 /// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only lent.
-/// Threads, tasks or interrupts that share one need a mutex, as for everything that takes
+/// Threads, tasks or interrupts that share a client need a mutex, as for everything that takes
 /// `&mut self`.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
@@ -142,7 +142,7 @@ impl<C> Ticket<C> {
         self.id
     }
 
-    /// Does the device not answer it? Then there is no event.
+    /// True if the device does not answer it; there is then no event.
     #[must_use]
     pub const fn is_silent(&self) -> bool {
         self.silent
@@ -204,13 +204,13 @@ error!(RequestError);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Answer<R> {
-    /// The device carried it out; with the response, if the command asks for one.
+    /// The device carried it out; with the response, if the command requests one.
     Acknowledged(Option<R>),
     /// The device refused it.
     Refused(AckCode),
-    /// Nothing came in time.
+    /// No answer arrived in time.
     TimedOut,
-    /// It was acknowledged, but the response that it asks for did not come.
+    /// It was acknowledged, but the response that it requests did not arrive.
     MissingResponse,
     /// It was carried out, but the response could not be decoded.
     Undecodable(DecodeError),
@@ -252,7 +252,7 @@ impl<R> Answer<R> {
 pub enum CommandError {
     /// The device refused it.
     Refused(AckCode),
-    /// Nothing came in time.
+    /// No answer arrived in time.
     TimedOut,
     /// It was acknowledged, but there is no response.
     MissingResponse,
@@ -278,17 +278,17 @@ error!(CommandError);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Outcome {
-    /// The device carried it out, and the response is present, if the command asks for one.
+    /// The device carried it out, and the response is present, if the command requests one.
     Acknowledged,
     /// The device refused it.
     Refused(AckCode),
-    /// Nothing came in time.
+    /// No answer arrived in time.
     #[default]
     TimedOut,
-    /// It was acknowledged, but the response that it asks for did not come.
+    /// It was acknowledged, but the response that it requests did not arrive.
     MissingResponse,
     /// It was carried out, but the response cannot be decoded. The answer of the event, or decoding
-    /// the response, tells why.
+    /// the response, gives the reason.
     Undecodable,
 }
 
@@ -458,7 +458,8 @@ impl<const N: usize> Client<N> {
 
     /// Processes a received packet, and returns the events that have not been taken.
     ///
-    /// Data and late or foreign replies cause no events; [`Events::others`] returns them.
+    /// Data, late replies and replies to other hosts cause no events; [`Events::others`] returns
+    /// them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
         let table = self.table_mut();
         table.receive(packet.fields());
@@ -472,7 +473,7 @@ impl<const N: usize> Client<N> {
 
     /// The result of this command, if it is known. Events of other commands are kept.
     ///
-    /// That of a silent command is known as soon as it is sent.
+    /// The result of a silent command is known as soon as it is sent.
     pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
         if ticket.silent {
             return Some(Answer::Silent);
@@ -484,8 +485,8 @@ impl<const N: usize> Client<N> {
     /// events.
     ///
     /// Noise that looks like the start of a packet holds back what follows. Before a command times
-    /// out, this returns the packets behind such noise, to be handled like any other. A packet of
-    /// which a part has come is kept.
+    /// out, this returns the packets after such noise; handle them like any other. An incomplete
+    /// packet is kept.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
         self.table_mut().poll(parser, now_ms)
     }
@@ -508,7 +509,7 @@ impl<const N: usize> Client<N> {
         }
     }
 
-    /// As [`Client::take`], but the result can be asked for again.
+    /// Like [`Client::take`], but the result is kept and can be read again.
     pub(crate) fn known<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
         if ticket.silent {
             return Some(Answer::Silent);
@@ -518,7 +519,7 @@ impl<const N: usize> Client<N> {
         Some(slot.event.decoded())
     }
 
-    /// Forgets all commands and events. What still comes for them answers nothing.
+    /// Discards all commands and events. Answers that still arrive for them are treated as data.
     pub fn clear(&mut self) {
         for slot in &self.table().slots {
             slot.state.set(State::Free);
@@ -755,14 +756,14 @@ pub struct Events<'c, 'p> {
 }
 
 impl<'c, 'p> Events<'c, 'p> {
-    /// The fields of the packet that answer no command: data, and unexpected replies.
+    /// The fields of the packet that do not answer a command: data, and unexpected replies.
     #[must_use]
     pub fn others(&self) -> Others<'c, 'p> {
         Others { fields: self.fields.clone(), taken: &self.table.taken, at: 0 }
     }
 }
 
-/// The client keeps an event until something else is done with it; to keep it longer, clone it.
+/// The event borrows the client; to keep it longer, clone it.
 impl<'c> Iterator for Events<'c, '_> {
     type Item = &'c Event;
 
@@ -771,7 +772,7 @@ impl<'c> Iterator for Events<'c, '_> {
     }
 }
 
-/// The fields of a packet that answer no command; from [`Events::others`].
+/// The fields of a packet that do not answer a command; from [`Events::others`].
 #[derive(Clone, Debug)]
 pub struct Others<'c, 'p> {
     fields: Fields<'p>,

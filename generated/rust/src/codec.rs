@@ -14,7 +14,8 @@ use crate::packet::MAX_FIELD_DATA;
 pub trait Wire: Sized {
     /// The maximum size in bytes; types of fixed size always have this size.
     const SIZE: usize;
-    /// Does it take this size whatever the bytes are? Then nothing but too few bytes can be wrong.
+    /// Does it have this size whatever the bytes are? Then the only possible error is too few
+    /// bytes.
     const FIXED: bool = false;
 
     /// Reads one value.
@@ -70,7 +71,7 @@ impl<'a> Reader<'a> {
         self.data.len()
     }
 
-    /// The last mistake, as one of a field.
+    /// The last error, as that of a field.
     #[inline]
     #[must_use]
     pub const fn error(&self, kind: DecodeErrorKind, field: &'static str) -> DecodeError {
@@ -219,7 +220,7 @@ impl<'a> Writer<'a> {
         Self::new(buffer.get_mut(..most).unwrap_or_default())
     }
 
-    /// The number of bytes written to a field, or the last mistake as one of the field.
+    /// The number of bytes written to a field, or the last error as that of the field.
     pub fn finish(
         &self,
         done: Result<(), EncodeErrorKind>,
@@ -251,7 +252,7 @@ impl<'a> Writer<'a> {
     #[inline]
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {
         let end = self.length.saturating_add(bytes.len());
-        // Exactly as long as the bytes, which spares a check that could panic.
+        // Exactly as long as the bytes, which avoids a check that could panic.
         let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
         let Some(free) = free else {
             return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
@@ -386,7 +387,7 @@ impl<T: Wire + Item, const N: usize> Wire for [T; N] {
 
 /// A Boolean that keeps its byte: 0 is false, anything else is true.
 ///
-/// It compares by what it means: `Bool(2) == Bool::TRUE`.
+/// It compares by meaning: `Bool(2) == Bool::TRUE`.
 #[derive(Clone, Copy, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

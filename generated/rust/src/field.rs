@@ -14,10 +14,10 @@ pub trait Field: Wire {
     const NAME: &'static str;
     /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
-    /// Bytes of data that it may have; they tell layouts with the same constants apart.
+    /// The possible numbers of bytes of its data; they distinguish layouts with the same constants.
     const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
 
-    /// May packets of this set hold the field?
+    /// May packets of this set contain the field?
     #[inline]
     #[must_use]
     fn in_set(set: u8) -> bool {
@@ -76,14 +76,14 @@ pub trait Command: Field {
         self.response_check().is_some()
     }
 
-    /// The check for the response that it asks for with these values.
+    /// The check for the response that it requests with these values.
     #[must_use]
     fn response_check(&self) -> Option<ResponseCheck> {
         None
     }
 }
 
-/// Recognizes a response and tells whether it can be decoded; `None` for other fields.
+/// Recognizes a response and says whether it can be decoded; `None` for other fields.
 pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
 
 /// The check for one type of response.
@@ -123,7 +123,7 @@ impl<T: Field> Response for T {
     }
 }
 
-/// Constants tell layouts of one descriptor apart.
+/// Constants distinguish layouts of one descriptor.
 fn is_other_layout<T>(decoded: &Result<T, DecodeError>) -> bool {
     matches!(decoded, Err(error) if error.kind == DecodeErrorKind::Constant)
 }
@@ -178,8 +178,8 @@ impl RawField<'_> {
         T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
     }
 
-    /// Can the data have the layout of this type, as far as they reach? The constants and the size
-    /// tell.
+    /// Can the data have the layout of this type, as far as it reaches? The constants and the size
+    /// decide.
     #[inline]
     #[must_use]
     pub fn has_layout_of<T: Field>(&self) -> bool {

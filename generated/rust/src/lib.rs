@@ -1,7 +1,7 @@
 #![doc = include_str!("../README.md")]
 #![doc = include_str!("map.md")]
 #![cfg_attr(feature = "default", doc = include_str!("sets.md"))]
-// Texts name fields of other sets, which may be off.
+// Texts name fields of other sets, which may be disabled.
 #![cfg_attr(not(feature = "default"), allow(rustdoc::broken_intra_doc_links))]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]

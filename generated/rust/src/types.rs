@@ -899,7 +899,7 @@ record! {
         pub talker_id: NmeaTalkerId,
         /// Data descriptor set that the contents are taken from.
         pub source_descriptor_set: u8,
-        /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
+        /// Base rate of the source descriptor set divided by the desired rate; a poll ignores it.
         pub decimation: u16,
     }
 }
@@ -1099,7 +1099,7 @@ record! {
     pub struct DescriptorRate {
         /// Field descriptor.
         pub descriptor: u8,
-        /// Base rate divided by the wanted rate.
+        /// Base rate divided by the desired rate.
         pub decimation: u16,
     }
 }

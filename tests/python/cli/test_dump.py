@@ -30,7 +30,7 @@ def test_one_packet_explained() -> None:
 
 def test_what_is_wrong_with_a_packet() -> None:
     code, out, error = mip("dump", ACCEL.replace("84 EE", "84 EF"))
-    assert code == 1 and "20 bytes of no packet, checksum 84ef should be 84ee: 75 65 80" in out
+    assert code == 1 and "20 bytes outside packets, checksum 84ef should be 84ee: 75 65 80" in out
     assert error == "mip dump: no packet in 20 bytes; packets begin with 75 65\n"
     assert "2 bytes are missing at the end of a packet" in mip("dump", ACCEL[:-6])[1]
     broken = PacketBuilder(0x80).build()
@@ -42,7 +42,7 @@ def test_what_is_wrong_with_a_packet() -> None:
     assert code == 0 and "malformed: a field of length 5 in 4 bytes" in out
     unknown = bytes(PacketBuilder(0x80).add(0x79, b"\1\2").add(0x04, b"\0").build())
     code, out, _ = mip("dump", unknown.hex())
-    assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes wanted, 1 left" in out
+    assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes needed, 1 left" in out
 
 
 @pytest.mark.parametrize("way", ["file", "pipe", "hexadecimal file", "hexadecimal pipe"])
@@ -71,8 +71,8 @@ def test_selection_and_bytes_in_between(tmp_path: Path) -> None:
     code, out, _ = mip("dump", path, "--only", "filter_data,0x80:0x06", "--without", "shared", "--skipped")
     assert code == 0
     lines = out.splitlines()
-    assert lines[0] == "00000000 17 bytes of no packet: '$GPGGA,noise*00\\r\\n'"
-    assert lines[-1].endswith("3 bytes of no packet: 75 65 80")
+    assert lines[0] == "00000000 17 bytes outside packets: '$GPGGA,noise*00\\r\\n'"
+    assert lines[-1].endswith("3 bytes outside packets: 75 65 80")
     assert {line.split()[1] for line in lines[1:-1]} == {"sensor:", "filter_data:"}
     assert not any("scaled_accel" in line or "timestamp" in line for line in lines)
     code, out, error = mip("dump", path, "--only", "gnss_2")

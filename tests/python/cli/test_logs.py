@@ -101,7 +101,7 @@ def test_gaps_and_jumps(tmp_path: Path) -> None:
 
 def test_times_that_are_not_valid_are_no_times(tmp_path: Path) -> None:
     (tmp_path / "log").write_bytes(b"".join(stamped(i / 10, flags=0) for i in range(5)))
-    assert "time: none in it that is valid\n" in mip("info", tmp_path / "log")[1]
+    assert "time: no valid timestamps\n" in mip("info", tmp_path / "log")[1]
     code, _, error = mip("cut", tmp_path / "log", "-o", tmp_path / "x", "--begin", "1")
     assert code == 1 and error.endswith("has no valid times; use --packets or --bytes\n")
 

@@ -237,7 +237,7 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        (["sensor.scaled_accel"], "there is no screen for a window; write a picture with -o FILE.png"),
+        (["sensor.scaled_accel"], "there is no screen for a window; write an image with -o FILE.png"),
         (["sensor.scaled_accel", "-o", "t.gif"], "what format is 'gif'? name a file that ends in .png, .svg or .pdf"),
         (
             ["sensor.scaled_accel.w", "-o", "t.png"],
@@ -247,7 +247,7 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
             ["sensor.scaled_accel.scaled_accel.w", "-o", "t.png"],
             "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, ",
         ),
-        (["base.ping", "-o", "t.png"], "base.ping is no data field; `mip info` lists what a log has"),
+        (["base.ping", "-o", "t.png"], "base.ping is not a data field; `mip info` lists the fields of a log"),
         (["gnss_2.llh_position", "-o", "t.png"], "log.bin has no gnss_2.llh_position; `mip info` lists what it has"),
         (["sensor.scaled", "-o", "t.png"], "'sensor.scaled' is not a field; did you mean "),
     ],

@@ -142,7 +142,7 @@ def _value(p: Parameter) -> Any:
     ("words", "error"),
     [
         (["base.pink"], "'base.pink' is not a field; did you mean base.ping"),
-        (["sensor.scaled_accel"], "sensor.scaled_accel is no command; `mip fields --search "),
+        (["sensor.scaled_accel"], "sensor.scaled_accel is not a command; `mip fields --search "),
         (
             ["3dm.message_format"],
             "3dm.message_format takes a function, and it is missing: write, read, save, load, default",
@@ -152,13 +152,16 @@ def _value(p: Parameter) -> Any:
             ["3dm.message_format", "read"],
             "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says ",
         ),
-        (["3dm.message_format", "read", "1", "2"], "'2' is too much; 3dm.message_format takes descriptor_set"),
+        (
+            ["3dm.message_format", "read", "1", "2"],
+            "'2' is one value too many; 3dm.message_format takes descriptor_set",
+        ),
         (
             ["3dm.message_format", "read", "set=1"],
             "3dm.message_format has no parameter 'set' here; it has descriptor_set",
         ),
         (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
-        (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is no whole number"),
+        (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is not a whole number"),
         (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
         (
             ["3dm.message_format", "write", "1", "4:5:6"],
@@ -168,11 +171,11 @@ def _value(p: Parameter) -> Any:
             ["3dm.message_format", "write", "1", "4"],
             "descriptors has parts that are missing; write descriptor:decimation",
         ),
-        (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is no JSON: "),
+        (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is not JSON: "),
         (["3dm.message_format", "write", "1", '[{"x": 1}]'], "descriptors has no 'x'; it has descriptor, decimation"),
-        (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is no value for it"),
+        (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is not a value for it"),
         (["3dm.data_stream_control", "write", "1", "maybe"], "enable: 'maybe' is neither true nor false"),
-        (["3dm.pps_source_control", "write", "moon"], "source: 'moon' is none of disabled, "),
+        (["3dm.pps_source_control", "write", "moon"], "source: 'moon' is not one of disabled, "),
     ],
 )
 def test_errors_of_commands(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -32,7 +32,7 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
         code, out, error = run(capsys, *words)
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
     _, _, error = run(capsys, "dump", "x", "--fast")
-    assert error.splitlines()[-1] == "mip dump: error: --fast is not understood; see --help"
+    assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
 
 
 @pytest.mark.parametrize(
@@ -67,14 +67,14 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
             "export: 'gps_timestamp' is in several sets; write ",
         ),
         (["fields", "sensor.x"], "fields: 'sensor.x' is not a field; "),
-        (["fields", "sensor", "--search", "banana"], "fields: no field has all of this; ask for less"),
+        (["fields", "sensor", "--search", "banana"], "fields: no field matches all words; use fewer"),
         (
             ["bandwidth", "sensor.scaled_accel"],
             "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in ",
         ),
-        (["bandwidth", "base.ping@1"], "bandwidth: base.ping is no data field; only data are streamed"),
+        (["bandwidth", "base.ping@1"], "bandwidth: base.ping is not a data field; only data is streamed"),
         (["bandwidth", "shared.gps_timestamp@1"], "bandwidth: shared.gps_timestamp is in every data set; say which: "),
-        (["bandwidth", "base:ping@1"], "bandwidth: 'base' is no data set; write SET:NAME@HZ"),
+        (["bandwidth", "base:ping@1"], "bandwidth: 'base' is not a data set; write SET:NAME@HZ"),
         (
             ["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE],
             "bandwidth: 3DM-CV7-GNSS/INS sends sensor with 1000 Hz",

@@ -567,10 +567,10 @@ def busy() -> tuple[socket.socket, str]:
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        ([], "which device? `mip simulate --list` names them all"),
+        ([], "which device? `mip simulate --list` lists them all"),
         (["3dm-gx5-16"], "device '3dm-gx5-16' is unknown; do you mean 3dm-gx5-15? `mip simulate --list` "),
         (["CV7-GNSS"], "device 'CV7-GNSS' is unknown; do you mean 3dm-cv7-gnss-ins? "),
-        (["toaster"], "device 'toaster' is unknown; `mip simulate --list` names them all"),
+        (["toaster"], "device 'toaster' is unknown; `mip simulate --list` lists them all"),
         ([DEVICE, "--tcp", "70000"], "'70000' is not a TCP port; write PORT or HOST:PORT"),
         ([DEVICE, "--tcp", "localhost"], "'localhost' is not a TCP port; "),
         ([DEVICE, "--tcp", "no such host:1"], "host 'no such host' is unknown; use localhost"),

@@ -167,7 +167,7 @@ fn errors_tell_the_field_and_what_it_needs() {
     let error = tools::List::decode(&[2, 9, 0]).unwrap_err();
     assert_eq!(error.to_string(), "tools.list: 9 elements are counted, 0 can follow");
     let error = tools::Settings::default_write().to_vec().unwrap_err();
-    assert_eq!(error.to_string(), "tools.settings: 0 of 1 required values are there");
+    assert_eq!(error.to_string(), "tools.settings: 0 of 1 required values are present");
     let error = measurements::Numbers::default().encode(&mut [0; 43]).unwrap_err();
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
     let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();

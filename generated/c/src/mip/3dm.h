@@ -717,7 +717,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
- * wanted rate.
+ * desired rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
  * and changes nothing.
@@ -845,7 +845,7 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
- * the wanted rate.
+ * the desired rate.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -975,7 +975,7 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
- * divided by the wanted rate.
+ * divided by the desired rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
  * and changes nothing.
@@ -1523,7 +1523,7 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as the get data base rate command reports it, divided by the
- * wanted rate.
+ * desired rate.
  *
  * List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
  * others.

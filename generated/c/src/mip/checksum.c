@@ -1,7 +1,8 @@
 /* The checksum: a is the sum of all bytes, b the sum of all values of a, both modulo 256.
  *
- * For bytes x[0] to x[n - 1], b is also the sum of (n - i) * x[i], so that many bytes can be added
- * at once. MIP_CHECKSUM chooses how; without it, the compiler's target and options do. */
+ * For bytes x[0] to x[n - 1], b is also the sum of (n - i) * x[i], so that many bytes can be
+ * added at once. MIP_CHECKSUM selects the method; without it, the compiler's target and options
+ * do. */
 #include "mip/core.h"
 
 #define MIP_CHECKSUM_PLAIN 0 /* byte by byte: the smallest */
@@ -85,8 +86,8 @@ static struct sums words(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
 
-/* Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes without
- * those that are done: zeros stand for them. */
+/* Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
+ * without those that are done: they are replaced by zeros. */
 static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
                                   0,    0,    0,    0,    0,    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
                                   0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};

@@ -27,7 +27,7 @@ extern "C" {
 /** Maximum size of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
 
-/** What functions return that can fail. */
+/** The result of functions that can fail. */
 typedef enum mip_error {
     /** No error. */
     MIP_OK = 0,
@@ -40,19 +40,19 @@ typedef enum mip_error {
     MIP_ERROR_CHECKSUM,
     /** A field is shorter than its own header or reaches beyond its packet. */
     MIP_ERROR_FIELD_LENGTH,
-    /** A field is too short for what it must hold. */
+    /** A field is too short for its parameters. */
     MIP_ERROR_TRUNCATED,
     /** A count exceeds the number of elements that follow, or the size of the array. */
     MIP_ERROR_COUNT,
     /** A constant has another value. */
     MIP_ERROR_CONSTANT,
-    /** The number of present parameters ends between a counter and its array, or exceeds them. */
+    /** The number of present parameters ends between a counter and its array, or is too large. */
     MIP_ERROR_MISSING,
     /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET,
-    /** The field has another descriptor than the type as which it is to be decoded. */
+    /** The descriptor of the field is not that of the type as which it is to be decoded. */
     MIP_ERROR_DESCRIPTOR,
-    /** The data have another layout of the descriptor than the caller expects. */
+    /** The data has another layout of the descriptor than the caller expects. */
     MIP_ERROR_LAYOUT
 } mip_error;
 
@@ -119,7 +119,7 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     return walk;
 }
 
-/** Gets the next field. False at the end; `error` then tells whether all fields have been seen. */
+/** Gets the next field. False at the end; `error` then says whether all fields have been seen. */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
     if (left == 0 || walk->error != MIP_OK) {
@@ -203,17 +203,17 @@ static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) 
 
 /* -------------------------------------------------------------------------------- stream parser */
 
-/** Finds packets in a stream of bytes, however it is cut into pieces. */
+/** Finds packets in a stream of bytes, in pieces of any size. */
 struct mip_parser {
-    /** Bytes so far that belong to no packet. */
+    /** Bytes so far that are not part of a packet. */
     uint32_t skipped;
     /** Bytes in the buffer. */
     uint16_t length;
     /** How many of them are done with. */
     uint16_t done;
-    /** How many bytes are missing at least until there can be a packet. */
+    /** How many more bytes are needed, at least, for a packet. */
     uint16_t missing;
-    /** The beginning of a packet whose end has not come yet. */
+    /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
 };
 
@@ -225,28 +225,27 @@ MIP_API void mip_parser_init(struct mip_parser *parser);
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
- * The packet is in the caller's bytes, or in the parser if their end has cut it: it stays valid
- * until the parser is called again, and as long as these bytes stay where they are.
+ * The packet is in the caller's bytes, or in the parser if their end has cut it: it is valid until
+ * the parser is called again, and as long as these bytes are unchanged.
  */
 MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                              struct mip_packet *packet);
 
 /**
- * Gives up the incomplete packet only if a whole one is behind its first bytes, and finds that one:
- * the first was noise then. Otherwise nothing changes.
+ * Discards the incomplete packet only if a whole packet follows its first bytes, and finds that
+ * packet: the incomplete one was noise. Otherwise nothing changes.
  */
 MIP_API bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet);
 
 /**
- * Gives up the incomplete packet and finds whole packets behind its first bytes.
+ * Discards the incomplete packet and finds whole packets after its first bytes.
  *
  * Noise may look like the beginning of a packet of up to 261 bytes. The parser then waits for the
- * rest, and holds back what follows, even whole packets, until so many bytes have come or until
- * this function says that none will come. So call it at the end of a file, and when the line has
- * been silent for longer than a packet takes. If it is not called, the last packets of a file may
- * be missing, and those of a live stream come late, but none gets lost. If it is called while the
- * rest of a packet is still on its way, that packet is lost: see mip_parser_look_behind, which
- * keeps it.
+ * rest, and holds back what follows, even whole packets, until that many bytes have arrived or
+ * until this function is called. So call it at the end of a file, and when the line has been silent
+ * for longer than a packet takes. If it is not called, the last packets of a file may be missing,
+ * and packets of a live stream may be delayed, but none is lost. If it is called while the rest of
+ * a packet is still arriving, that packet is lost: see mip_parser_look_behind, which keeps it.
  *
  *     while (mip_parser_flush(&parser, &packet)) { ... }
  */
@@ -257,14 +256,14 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 /*
  * Optional parameters: the member `present`
  *
- * Some fields may end early: a device that is older, or a command that need not say everything,
- * leaves out their last parameters. The structure of such a field begins with `present`, which
- * counts the parameters that are there, from the first one on, the function selector not counted.
+ * Some fields may end early: an older device, or a command that does not need all values, leaves
+ * out their last parameters. The structure of such a field begins with `present`, the number of
+ * parameters that are present, counted from the first one, without the function selector.
  *
- * After decoding it says how many have come; the members of the others are zero. Before encoding it
- * says how many are to be sent; those that the function requires are sent in any case, so that 0,
- * which the constructors leave there, means no more than these. The constants ..._WITH_<PARAMETER>
- * are its values: that parameter, and all before it.
+ * After decoding, it is the number received; the members of the others are zero. Before encoding,
+ * it is the number to send; those that the function requires are always sent, so 0, the value that
+ * constructors leave, means only these. The constants ..._WITH_<PARAMETER> are its values: that
+ * parameter, and all before it.
  *
  *     mip_..._write(&command, port, baud);
  *     command.flow_control = 1;
@@ -273,11 +272,11 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
  *     if (response.present >= MIP_..._WITH_FLOW_CONTROL) { ... response.flow_control ... }
  */
 
-/** A field that asks a device for something. */
+/** A field that is sent to a device. */
 #define MIP_COMMAND 0
 /** A field that answers a command. */
 #define MIP_RESPONSE 1
-/** A field with data, which comes without being asked for. */
+/** A field with data, which the device sends by itself. */
 #define MIP_DATA 2
 
 /** The wire format of a type of field. */
@@ -288,7 +287,7 @@ struct mip_codec {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Bytes of data, if they are only numbers, which fill the structure; 0 for other layouts. */
+    /** Bytes of data, if they are only numbers that fill the structure; 0 for other layouts. */
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
@@ -296,7 +295,7 @@ struct mip_codec {
     const uint8_t *program;
 };
 
-/** Do the data of a field have this layout of their descriptor, as far as they reach? */
+/** Does the data of a field have this layout of its descriptor, as far as it reaches? */
 MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
 /**
@@ -313,14 +312,14 @@ MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
 MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
                              struct mip_builder *builder);
 
-/** May packets of this set hold fields of that one? Set 0 stands for all command sets, 0xFF for all
+/** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
  * data sets. */
 static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
     return field_set == packet_set || (field_set == 0xFF && packet_set >= 0x80) ||
            (field_set == 0 && packet_set < 0x80);
 }
 
-/** Is it this field, with at least so many bytes of data? MIP_OK, or what is wrong with it. */
+/** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
 static inline mip_error mip_field_check(const struct mip_field *field, uint8_t descriptor_set,
                                         uint8_t descriptor, size_t size) {
     return !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
@@ -330,7 +329,7 @@ static inline mip_error mip_field_check(const struct mip_field *field, uint8_t d
 }
 
 /**
- * Adds a field of so many bytes, which the caller then writes at `*data`. On an error,
+ * Adds a field of this many bytes, which the caller then writes to `*data`. On an error,
  * MIP_ERROR_SET or MIP_ERROR_LENGTH, the packet is unchanged.
  */
 static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t descriptor_set,
@@ -464,10 +463,10 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/** Gets a number in a bitfield of bytes, least significant byte first: the `width` bits from bit
- * `first` on. */
+/** Gets a number in a bitfield of bytes, least significant byte first: `width` bits, starting
+ * with bit `first`. */
 MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
-/** Sets a number in a bitfield of bytes: the `width` bits from bit `first` on. */
+/** Sets a number in a bitfield of bytes: `width` bits, starting with bit `first`. */
 MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
 /* ----------------------------------------------------------------- arguments of constructors */

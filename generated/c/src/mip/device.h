@@ -3,7 +3,7 @@
  * A device at a port: one call for each command, and handlers for its data.
  *
  * The caller gives three functions: read, write, and a clock. Then a call of mip/..._commands.h
- * sends a command, waits for its answer, and returns what became of it:
+ * sends a command, waits for its answer, and returns the outcome:
  *
  *     mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
  *     if (mip_succeeded(mip_call_3dm_..._read(&device, &response))) { ... }
@@ -21,75 +21,74 @@
 extern "C" {
 #endif
 
-/** How long nothing may come, in milliseconds, before an incomplete packet is given up: a little
- * more than the longest packet takes at 9600 Bd. */
+/** After how many milliseconds without a byte an incomplete packet is discarded: a little more
+ * than the longest packet takes at 9600 Bd. */
 #define MIP_DEFAULT_SILENCE 300
 
 /** The port of a device, and a clock. */
 struct mip_port {
     /**
-     * Takes up to `size` bytes that have come, and says in `*count`, which is 0 before, how many
-     * they are. It may wait for a while if there are none, but must then return: a call that waits
-     * for an answer does nothing else than to read. False if the port is gone and nothing will come
-     * any more.
+     * Reads up to `size` bytes that have arrived, and stores their number in `*count`, which is 0
+     * before. It may wait for a while if there are none, but must then return: a call that waits
+     * for an answer does nothing but read. False if the port is gone and no more bytes will arrive.
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
-    /** Sends all of these bytes. False if it could not. */
+    /** Sends all of these bytes. False if that failed. */
     bool (*write)(void *user, const uint8_t *bytes, size_t size);
-    /** A time in milliseconds that goes on and is never set; it may wrap around. */
+    /** A time in milliseconds that only increases and is never set; it may wrap around. */
     uint32_t (*now)(void *user);
     /** Is passed to these functions. */
     void *user;
 };
 
-/** For `field` of a handler: every field that no entry before it is for. */
+/** For `field` of a handler: every field without an earlier entry. */
 #define MIP_ANY_FIELD 0
 
-/** What is to be done with a field that comes. */
+/** What to do with a received field. */
 struct mip_handler {
-    /** Which field: its constant, such as MIP_SENSOR_SCALED_ACCEL. A field that all data sets share
-     * is handled whatever set it comes in. */
+    /** Which field: its constant, such as MIP_SENSOR_SCALED_ACCEL. A field that all data sets
+     * share is handled in every set. */
     uint16_t field;
     /**
      * Is called with it; NULL to ignore it. `arrived` is the time, by the clock of the port, when
-     * the last bytes of its packet had been read. The data of the field are valid until it returns.
+     * the last bytes of its packet had been read. The data of the field is valid until it returns.
      * It must not wait: the answer to a command may be next. It cannot call a command of this
-     * device, which is MIP_BUSY then, nor poll it.
+     * device, which would return MIP_BUSY, nor poll the device.
      */
     void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
     /** Is passed to it. */
     void *user;
 };
 
-/** A device, and what is known of its stream. Several may be used side by side. */
+/** A device and the state of its stream. Several can be used at the same time. */
 struct mip_device {
     /** How it is reached. */
     struct mip_port port;
-    /** The first of these that is for a field is called; without one, the field is dropped. */
+    /** The first of these that matches a field is called; if none does, the field is dropped. */
     const struct mip_handler *handlers;
     /** How many there are. */
     size_t handler_count;
-    /** The parser time-out: an incomplete packet is given up when nothing has come for so many
-     * milliseconds, and packets behind its first bytes are found. 0: never. */
+    /** The parser time-out: when no byte has arrived for this many milliseconds, an incomplete
+     * packet is discarded, and packets after its first bytes are found. 0: never. */
     uint32_t silence;
-    /** When the last bytes came. */
+    /** When the last bytes arrived. */
     uint32_t heard;
     /** Is a handler running? */
     bool busy;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
-    /** It has the bytes of a packet that is not complete. */
+    /** It holds the bytes of an incomplete packet. */
     struct mip_parser parser;
 };
 
-/** What became of a command. */
+/** The outcome of a command. */
 enum mip_outcome {
     /** It was not sent: its values do not fit into a packet (`error` says why), or, if that is
      * MIP_OK, the port could not write. */
     MIP_NOT_SENT = 0,
     /** The device has carried it out, and its response has been stored, if it has one. */
     MIP_ACKNOWLEDGED,
-    /** It was sent, and devices do not answer it. */
+    /** It was sent; devices do not answer it. */
     MIP_SENT,
     /** The device has refused it: `code` says why. */
     MIP_REFUSED,
@@ -105,9 +104,9 @@ enum mip_outcome {
     MIP_BUSY
 };
 
-/** What became of a command, and why. */
+/** The outcome of a command, and the reason. */
 struct mip_result {
-    /** What became of it. */
+    /** The outcome. */
     enum mip_outcome outcome;
     /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
     uint8_t code;
@@ -115,7 +114,7 @@ struct mip_result {
     uint8_t error;
 };
 
-/** Has the command been carried out, as far as one can know? */
+/** Has the command been carried out, as far as is known? */
 static inline bool mip_succeeded(struct mip_result result) {
     return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
 }
@@ -123,8 +122,8 @@ static inline bool mip_succeeded(struct mip_result result) {
 /** The outcome in words: "timed out". */
 MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
 
-/** Why a command was refused or not sent, or why its response could not be decoded: the name of the
- * acknowledge code or of the error; "" if there is nothing to say. */
+/** Why a command was refused or not sent, or why its response could not be decoded: the name of
+ * the acknowledge code or of the error; "" if there is no reason. */
 MIP_API const char *mip_result_reason(struct mip_result result);
 
 /**
@@ -136,16 +135,16 @@ MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *p
 
 /**
  * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields
- * that are complete now. Programs that wait for data call it again and again; while a command waits
- * for its answer, the same happens. False if the port is gone.
+ * that are now complete. Programs that wait for data call it repeatedly; the same happens while a
+ * command waits for its answer. False if the port is gone.
  */
 MIP_API bool mip_device_poll(struct mip_device *device);
 
 /**
  * Sends a command, and waits for its answer. The functions mip_call_... call this with the types of
  * each command. `value` is the structure of the command, or NULL if it has no parameters. The
- * response goes to `response`, the structure of `codec`, or is not stored if that is NULL. It is
- * zeroed first, and stays so unless the command succeeds and asks for this response.
+ * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
+ * zeroed first, and stays zeroed unless the command succeeds and requests this response.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,

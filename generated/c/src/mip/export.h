@@ -2,15 +2,15 @@
  * @file
  * MIP_API marks what a shared library exports.
  *
- * A static library, and sources that are compiled with the program, need none of this. Whoever
- * builds a shared library defines MIP_SHARED for the library and its users, and MIP_BUILDING for
- * the library alone; CMakeLists.txt and meson.build do.
+ * A static library, and sources that are compiled with the program, need none of this. To build a
+ * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
+ * only; CMakeLists.txt and meson.build do.
  */
 #ifndef MIP_EXPORT_H
 #define MIP_EXPORT_H
 
 #ifndef MIP_SHARED
-/** Stands before what a program may use of a shared library. */
+/** Marks what programs can use of a shared library. */
 #define MIP_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
 #ifdef MIP_BUILDING

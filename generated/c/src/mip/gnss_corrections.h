@@ -1477,10 +1477,10 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
  * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
  * the MicroStrain MIP SDK.
  *
- * An epoch is sent as one field for each satellite; index and count number the fields.
+ * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
- * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
- * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+ * For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
+ * 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1679,7 +1679,7 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
  * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
  * the MicroStrain MIP SDK.
  *
- * An epoch is sent as one field for each satellite; index and count number the fields.
+ * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1801,7 +1801,7 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
  * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
- * An epoch is sent as one field for each signal; index and count number the fields.
+ * An epoch is sent as one field for each signal; `index` and `count` number the fields.
  *
  * The greatest lock time depends on the receiver.
  *

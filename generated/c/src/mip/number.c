@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-/* Words that hold the largest and the smallest double, scaled to whole numbers. */
+/* The number of words for the largest and the smallest double, scaled to whole numbers. */
 #define WORDS 37
-/* Digits that tell every double from all others. */
+/* The number of digits that distinguish every double from all others. */
 #define MAX_DIGITS 17
-/* Numbers of more digits before the point, or zeros behind it, get an exponent. */
+/* Numbers with more digits before the point, or more zeros after it, get an exponent. */
 #define MAX_WHOLE 16
 #define MAX_ZEROS 3
 
@@ -40,7 +40,8 @@ void mip_print_signed(const struct mip_print *print, int64_t value) {
 
 /* ------------------------------------------------------------------------------- long numbers */
 
-/* A whole number, least significant word first. All of one computation have as many words. */
+/* A whole number, least significant word first. All numbers of a computation have the same
+ * number of words. */
 struct big {
     uint32_t words[WORDS];
 };

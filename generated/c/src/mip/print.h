@@ -1,7 +1,6 @@
 /**
- * @file
- * Prints packets and fields for people, with names, units, flags and the bytes that nothing is
- * known of. It links all types of all sets, so small programs should not use it.
+ * @file Prints packets and fields for people, with names, units and flags, and unknown bytes in
+ * hexadecimal. It links all types of all sets, so small programs should not use it.
  *
  *     char buffer[1024];
  *     struct mip_text text;
@@ -17,7 +16,7 @@
  *
  * The text is ASCII, and each line ends with a line feed. There is no heap: while a field is
  * printed, its structure is on the stack (`union mip_any_value`), and about 800 bytes more for a
- * number that is not whole. The text may change with a version: it is not for programs to read.
+ * number that is not whole. The text may change between versions; programs should not parse it.
  */
 #ifndef MIP_PRINT_H
 #define MIP_PRINT_H
@@ -28,7 +27,7 @@
 extern "C" {
 #endif
 
-/** Where the text goes, and what is known of the device. */
+/** Where the text is written, and the device. */
 struct mip_print {
     /** Takes the next piece of the text, which has no NUL at its end. */
     void (*put)(void *user, const char *text, size_t size);
@@ -50,25 +49,26 @@ struct mip_text {
     size_t length;
 };
 
-/** Begins a text in a buffer of `room` bytes. What does not fit is counted and left out. */
+/** Begins a text in a buffer of `room` bytes. Text that does not fit is counted and left out. */
 MIP_API struct mip_print mip_print_to_text(struct mip_text *text, char *buffer, size_t room);
 
-/** A packet: its descriptor set, its fields, and what is wrong behind the last one. */
+/** A packet: its descriptor set, its fields, and the error after the last one, if any. */
 MIP_API void mip_print_packet(const struct mip_print *print, const struct mip_packet *packet);
 
-/** Bytes that should be one packet: the same, and whether the checksum is right. If they have no
- * packet's length or beginning, what is wrong, and a hex dump. */
+/** Bytes that should be one packet: the same, and whether the checksum is correct. If the length
+ * or the beginning is not that of a packet, the error and a hex dump. */
 MIP_API void mip_print_bytes(const struct mip_print *print, const uint8_t *bytes, size_t size);
 
-/** A field: its name, its descriptors and its values, or why it has none, and its bytes. */
+/** A field: its name, its descriptors and its values, or the reason why it has none and its
+ * bytes. */
 MIP_API void mip_print_field(const struct mip_print *print, const struct mip_field *field);
 
-/** The values of a structure that mip_decode has filled, or that is to be encoded. `codec` is one
- * of this binding. Optional parameters that are absent are left out. */
+/** The values of a structure that mip_decode has filled, or that is to be encoded. `codec` must
+ * be one of this binding. Optional parameters that are absent are left out. */
 MIP_API void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
                              const void *value);
 
-/** A hex dump: of each 16 bytes their offset, and them as numbers and as characters. */
+/** A hex dump: a line for each 16 bytes, with their offset, and as numbers and characters. */
 MIP_API void mip_print_hex(const struct mip_print *print, const uint8_t *bytes, size_t size);
 
 /** A text that ends with a NUL. */
@@ -79,7 +79,8 @@ MIP_API void mip_print_unsigned(const struct mip_print *print, uint64_t value);
 /** A whole number that may be negative. */
 MIP_API void mip_print_signed(const struct mip_print *print, int64_t value);
 
-/** A float, with as few digits as tell it from all others: "0.1", "1e-7", "-inf", "nan". */
+/** A float, with the fewest digits that distinguish it from all others: "0.1", "1e-7", "-inf",
+ * "nan". */
 MIP_API void mip_print_float(const struct mip_print *print, float value);
 /** A double in the same way. */
 MIP_API void mip_print_double(const struct mip_print *print, double value);

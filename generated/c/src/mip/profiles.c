@@ -911,11 +911,11 @@ static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
     "gpio (1)",
     "output low (2)",
     "1 to 4",
-    "open drain, then also pull-up", /* row 3 */
+    "open drain, optionally with pull-up", /* row 3 */
     "gpio (1)",
     "output high (3)",
     "1 to 4",
-    "open drain, then also pull-up", /* row 4 */
+    "open drain, optionally with pull-up", /* row 4 */
     "pps (2)",
     "input (1)",
     "1; restricted on 2 to 4",
@@ -939,7 +939,7 @@ static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
     "uart (5)",
     "UART 2 transmit (33)",
     "1 and 2",
-    "open drain, then also pull-up", /* row 10 */
+    "open drain, optionally with pull-up", /* row 10 */
     "uart (5)",
     "UART 2 receive (34)",
     "1 and 2",
@@ -947,7 +947,7 @@ static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
     "uart (5)",
     "UART 3 transmit (49)",
     "3 and 4",
-    "open drain, then also pull-up", /* row 12 */
+    "open drain, optionally with pull-up", /* row 12 */
     "uart (5)",
     "UART 3 receive (50)",
     "3 and 4",
@@ -1057,7 +1057,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
      "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "
-     "and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base "
+     "and GL (GLONASS). A sentence is sent only while its data is valid. A GNSS source has a base "
      "rate of 5 Hz, so its decimation must be 3 or more.",
      cv7_gnss_ins_nmea_output_cells, 11, 4},
     {"nmea_input", "NMEA input",

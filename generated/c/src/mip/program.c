@@ -11,14 +11,14 @@ struct stream {
     uint8_t *mark;
     /** A mip_error. */
     uint8_t error;
-    /** The number of parameters that the function requires, and of present ones: those that have
-     * been read, or those to be written. */
+    /** The number of parameters that the function requires, and of those present: read, or to be
+     * written. */
     uint8_t required;
     uint8_t present;
     /** The last parameter of the group. */
     uint8_t last;
     bool writing;
-    /** Do places have two bytes? Has the structure the number of present parameters? */
+    /** Do places have two bytes? Does the structure have the number of present parameters? */
     bool far;
     bool counts;
     /** May the group be absent? Is only a part of it there? Is this the end before MIP_END? */
@@ -49,8 +49,8 @@ static uint8_t *take(struct stream *s, size_t size) {
     return bytes;
 }
 
-/** Reads or writes numbers of `size` bytes. On a little-endian host those in memory are the other
- * way round, which flips the last bits of the index of a byte. */
+/** Reads or writes numbers of `size` bytes. On a little-endian host, those in memory are in
+ * reverse order, which flips the last bits of the index of a byte. */
 static void move(uint8_t *wire, uint8_t *memory, size_t size, size_t count, bool writing) {
     const uint16_t one = 1;
     const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;

@@ -81,9 +81,9 @@ struct mip_named_bits {
 
 /** An enumeration, or a bitfield: the other's tables are NULL. */
 struct mip_names {
-    /** Name in the specification, prefixed with its set and a full stop if a set owns it. */
+    /** Name in the specification, prefixed with its set and a period if a set owns it. */
     const char *name;
-    /** The names of its values or bits, with a NUL behind each: see mip_names_label. */
+    /** The names of its values or bits, each followed by a NUL: see mip_names_label. */
     const char *labels;
     /** Of an enumeration: its values, as unsigned numbers of `size` bytes. See mip_names_number. */
     const void *numbers;

@@ -1161,7 +1161,7 @@ struct mip_nmea_message {
     uint8_t talker_id;
     /** Data descriptor set that the contents are taken from. */
     uint8_t source_descriptor_set;
-    /** Base rate of the source descriptor set divided by the wanted rate; a poll ignores it. */
+    /** Base rate of the source descriptor set divided by the desired rate; a poll ignores it. */
     uint16_t decimation;
 };
 
@@ -1477,7 +1477,7 @@ MIP_API const char *mip_ack_code_name(uint8_t value);
 struct mip_descriptor_rate {
     /** Field descriptor. */
     uint8_t descriptor;
-    /** Base rate divided by the wanted rate. */
+    /** Base rate divided by the desired rate. */
     uint16_t decimation;
 };
 

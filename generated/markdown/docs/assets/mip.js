@@ -288,7 +288,7 @@ class Reader {
     take(size) {
         if (size > this.left) {
             const short = size - this.left;
-            throw new MipError("truncated", `the data are ${short} byte${short > 1 ? "s" : ""} short`);
+            throw new MipError("truncated", `the data is ${short} byte${short > 1 ? "s" : ""} short`);
         }
         this.at += size;
         return this.data.subarray(this.at - size, this.at);
@@ -1580,7 +1580,7 @@ function inspector(root, protocol, options = {}) {
         output.replaceChildren(...report(found, to));
     };
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays, strings, with or without anything between packets")),
+        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets")),
         input,
         element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
         output,
@@ -1609,7 +1609,7 @@ function otherBytes({ bytes }) {
     return element(
         "section",
         { class: "mip-other", "data-kind": "other" },
-        element("p", {}, `${count(bytes.length, "byte")} that belong to no packet: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+        element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
     );
 }
 
@@ -1638,7 +1638,7 @@ function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
         { class: "mip-verdict mip-wrong" },
         "Checksum ",
         element("code", {}, spacedHex(checksum)),
-        " is wrong; right is ",
+        " is wrong; correct: ",
         element("code", {}, spacedHex(rightChecksum)),
         ".",
     );
@@ -1648,7 +1648,7 @@ function misprintNote({ example, right, errata }, to) {
     return element(
         "p",
         { class: "mip-note" },
-        `The manual ${example.manual} prints these bytes (${example.section}: ${example.title}) by mistake. Right is `,
+        `The manual ${example.manual} gives these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
         element("code", {}, spacedHex(right)),
         ". ",
         errata.length ? ["See ", listed(errata, to), "."] : "",
@@ -1673,7 +1673,7 @@ function fieldReport(found, to) {
         element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
         error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
         rows.length > 0 && valueTable(rows),
-        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} behind the last known parameter.`),
+        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} after the last known parameter.`),
         errata.length > 0 && element("p", { class: "mip-note" }, "Mistakes in the manuals: ", listed(errata, to)),
     );
 }
@@ -2036,7 +2036,7 @@ function answerReport(protocol, field, values, to) {
         element(
             "p",
             { class: "mip-answer" },
-            listed.length ? "The acknowledge, and directly behind it in the same packet a response:" : "The acknowledge: ",
+            listed.length ? "The acknowledge, directly followed by a response in the same packet:" : "The acknowledge: ",
             !listed.length && element("code", {}, spacedHex(acknowledge.bytes)),
             !listed.length && unless,
         ),

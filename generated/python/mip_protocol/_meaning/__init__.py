@@ -1,1 +1,1 @@
-"""What the types of each module mean; `reflection.info` loads what is asked for."""
+"""The meaning of the types of each module; `reflection.info` loads them on demand."""

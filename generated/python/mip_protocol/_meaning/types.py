@@ -389,7 +389,7 @@ TYPES: dict[str, Info] = {
             Parameter("message_id", "message_id", "scalar", description="The sentence.", scalar="u8", type=types.NmeaMessageId),
             Parameter("talker_id", "talker_id", "scalar", description="The talker in the sentence.", scalar="u8", type=types.NmeaTalkerId),
             Parameter("source_descriptor_set", "source_descriptor_set", "scalar", description="Data descriptor set that the contents are taken from.", scalar="u8"),
-            Parameter("decimation", "decimation", "scalar", description="Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.", scalar="u16"),
+            Parameter("decimation", "decimation", "scalar", description="Base rate of the source descriptor set divided by the desired rate; a poll ignores it.", scalar="u16"),
         ),
     ),
     "RtkStatusFlags": BitsInfo(
@@ -439,7 +439,7 @@ TYPES: dict[str, Info] = {
         "descriptor_rate", type=types.DescriptorRate, description="A field of a message format and how often it is sent.",
         parameters=(
             Parameter("descriptor", "descriptor", "scalar", description="Field descriptor.", scalar="u8"),
-            Parameter("decimation", "decimation", "scalar", description="Base rate divided by the wanted rate.", scalar="u16"),
+            Parameter("decimation", "decimation", "scalar", description="Base rate divided by the desired rate.", scalar="u16"),
         ),
     ),
     "SensorGpsTimestampFlags": BitsInfo(

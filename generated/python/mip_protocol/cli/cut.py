@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="where to write; - for standard output",
     )
-    add("--begin", type=_when, metavar="T", help="leave out what is before this time")
+    add("--begin", type=_when, metavar="T", help="start at this time")
     add("--end", type=_when, metavar="T", help="end at this time")
     add(
         "--bytes",
@@ -53,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="A:B",
         help="packets of these numbers, from 0, B not included",
     )
-    add("--keep-skipped", action="store_true", help="keep bytes that belong to no packet, too")
+    add("--keep-skipped", action="store_true", help="also keep bytes outside packets")
     add_selection(parser)
 
 
@@ -118,7 +118,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 class _Bounds:
-    """Which packets are within the range that is asked for."""
+    """Which packets are within the requested range."""
 
     def __init__(self, options: argparse.Namespace, name: str, timed: bool) -> None:
         self.bytes: _Range = options.bytes or _Range(0, None)
@@ -178,7 +178,7 @@ def _kept(
 
 
 def _reduced(packet: Packet, selection: Selection) -> bytes:
-    """A packet with only the fields that are wanted; nothing if none are."""
+    """A packet with only the selected fields; nothing if it has none."""
     if selection.everything:
         return bytes(packet)
     fields = list(raw_fields(packet))

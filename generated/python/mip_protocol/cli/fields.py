@@ -22,7 +22,7 @@ EPILOG = """\
 examples:
   mip fields                          the descriptor sets
   mip fields sensor                   the fields of a set
-  mip fields sensor.scaled_accel      one field; 0x80:0x04 and a vendor's name find it, too
+  mip fields sensor.scaled_accel      one field; 0x80:0x04 or a vendor's name also find it
   mip fields --search temperature     what has this word
   mip fields 3dm --device 3dm-gx5-15  what a device has
 """
@@ -77,7 +77,7 @@ def _chosen(options: argparse.Namespace) -> list[tuple[int, type[Field]]]:
     if options.search is not None:
         found = [k for k in found if options.search.lower() in _searched(k[1])]
     if not found:
-        raise Failure("no field has all of this; ask for less")
+        raise Failure("no field matches all words; use fewer")
     return found
 
 

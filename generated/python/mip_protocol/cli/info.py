@@ -96,7 +96,7 @@ def examine(name: str) -> Report:
 
 
 def _counted(report: Report, run: bytes, more: bytes) -> bytes:
-    """Counts what skipped bytes look like; returns those with which the next ones begin."""
+    """Counts what skipped bytes look like; returns those that precede the next ones."""
     cut = run.rfind(b"\n") + 1 if more else len(run)
     if len(run) - cut > LONGEST:
         cut = len(run)
@@ -179,7 +179,7 @@ def _span(report: Report) -> Any:
     clock = report.clock
     if clock is None:
         if report.packets:
-            yield "time: none in it that is valid"
+            yield "time: no valid timestamps"
         return
     firsts = [i.first for i in report.times.values() if i.first is not None]
     lasts = [i.last for i in report.times.values() if i.last is not None]

@@ -1,4 +1,4 @@
-"""Where bytes come from: a file, standard input, the command line or a port."""
+"""Sources of bytes: a file, standard input, the command line or a port."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def exists(name: str) -> bool:
 
 
 def hex_bytes(words: list[str]) -> bytes | None:
-    """The bytes that these words say in hexadecimal digits; None if they are something else."""
+    """The bytes that these words give in hexadecimal digits; None if they are something else."""
     text = " ".join(words).encode("utf-8", "replace")
     return _plain(text) if _HEX.fullmatch(text.strip()) else None
 
@@ -52,7 +52,8 @@ def _plain(text: bytes) -> bytes:
 
 
 def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
-    """The bytes of a file, or of standard input for `-`, as they come. Text of hex digits is converted.
+    """The bytes of a file, or of standard input for `-`, as they arrive. Text of hex digits is
+    converted.
 
     `progress` of long files is shown on a terminal. Raises Failure if it cannot be read.
     """
@@ -69,7 +70,7 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
 
 
 def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
-    """The packets of a file or of standard input, and what is between them."""
+    """The packets of a file or of standard input, and the bytes between them."""
     scanner = Scanner()
     for chunk in chunks(name, progress):
         yield from scanner.feed(chunk)
@@ -122,7 +123,7 @@ def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
 
 
 class Progress:
-    """How much of something long is done, on standard error if that is a terminal."""
+    """The progress of a long task, on standard error if that is a terminal."""
 
     def __init__(self, size: int) -> None:
         self._size = size

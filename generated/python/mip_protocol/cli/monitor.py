@@ -22,7 +22,7 @@ examples:
   mip monitor localhost:5000 filter_data sensor.scaled_accel --rate 10
   mip monitor /dev/ttyACM0 --duration 5 > values.txt
 
-Ctrl-C ends it. Where the output is no terminal, the values are printed one time after another.
+Ctrl-C ends it. If the output is not a terminal, the values are printed one after another.
 """
 
 
@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class _Latest:
-    """The last field of a kind, and when the last ones came."""
+    """The last field of a kind, and the times of the last ones."""
 
     __slots__ = ("found", "times")
 

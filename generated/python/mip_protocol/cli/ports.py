@@ -16,7 +16,7 @@ from .scan import Piece, Scanner
 if TYPE_CHECKING:
     from ..device import Device
 
-#: Seconds without a byte until an incomplete packet is given up.
+#: Seconds without a byte until an incomplete packet is discarded.
 SILENCE = 0.5
 _TURN = 0.1
 
@@ -53,7 +53,7 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
 
 
 def reason(error: BaseException) -> str:
-    """What an exception says, in one line."""
+    """The message of an exception, in one line."""
     said = getattr(error, "strerror", None) or str(error) or type(error).__name__
     return " ".join(str(said).split())
 
@@ -80,7 +80,8 @@ def stopping() -> Iterator[None]:
 def received(
     name: str, options: argparse.Namespace, seconds: float | None = None
 ) -> Iterator[bytes]:
-    """What comes in at a port, as it comes, until it closes or the time is over; empty after a pause."""
+    """The bytes received at a port, as they arrive, until it closes or the time is over; empty
+    after a pause."""
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     end = None if seconds is None else time.monotonic() + seconds
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
@@ -107,7 +108,7 @@ def pieces(
 def pieces(
     name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False
 ) -> Iterator[Any]:
-    """The packets that come in at a port, and what is between them; `idle`: None after pauses."""
+    """The packets received at a port, and the bytes between them; `idle`: None after pauses."""
     scanner = Scanner()
     last = time.monotonic()
     for data in received(name, options, seconds):

@@ -1,4 +1,4 @@
-"""The fields that names on the command line mean."""
+"""The fields named on the command line."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def keys(name: str) -> list[Key]:
 
 
 def fields(name: str) -> list[type[Field]]:
-    """The fields of a name; several if it leaves open which. Raises Failure."""
+    """The fields of a name; several if it is ambiguous. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None and numbers[2]:
         found = registry.types(int(numbers[1], 0), int(numbers[2], 0))
@@ -54,7 +54,7 @@ def field(name: str) -> type[Field]:
 
 
 class Selection:
-    """The fields that are wanted: all, or those of `only`, and none of `without`."""
+    """The selected fields: all, or those of `only`, and none of `without`."""
 
     def __init__(self, only: Iterable[str] = (), without: Iterable[str] = ()) -> None:
         self._only = _all(only)
@@ -66,7 +66,7 @@ class Selection:
         return not self._only and not self._without
 
     def has(self, set: int, descriptor: int) -> bool:
-        """Is this field of a packet of this set wanted?"""
+        """Is this field of a packet of this set selected?"""
         known = self._known.get((set, descriptor))
         if known is None:
             known = not self._only or _within(self._only, set, descriptor)

@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _said(command: Command, outcome: Any, options: argparse.Namespace, device: str | None) -> int:
     if outcome is None:
-        _print(options, command, "sent", None, "sent; it is not answered", [])
+        _print(options, command, "sent", None, "sent; the device does not answer it", [])
         return 0
     if isinstance(outcome, TimedOut):
         raise Failure(
@@ -109,7 +109,7 @@ def _print(
 def _kind(name: str) -> type[Command]:
     found = [kind for kind in fields(name) if issubclass(kind, Command)]
     if not found:
-        raise Failure(f"{name} is no command; `mip fields --search {name}` finds others")
+        raise Failure(f"{name} is not a command; `mip fields --search {name}` finds others")
     if len(found) > 1:
         raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
     return found[0]

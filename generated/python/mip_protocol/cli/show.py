@@ -22,14 +22,14 @@ def set_name(number: int) -> str:
 
 
 def spaced(data: bytes, most: int = 0) -> str:
-    """Bytes in hexadecimal, at most so many."""
+    """Bytes in hexadecimal, at most this many."""
     if most and len(data) > most:
         return data[:most].hex(" ") + " …"
     return data.hex(" ")
 
 
 def selected(packet: Packet, selection: Selection) -> list[Found]:
-    """The fields of a packet that are wanted, with their values."""
+    """The selected fields of a packet, with their values."""
     raws = raw_fields(packet)
     if selection.everything:
         return [decoded(raw) for raw in raws]
@@ -129,8 +129,8 @@ def leaves(value: Described, device: str | None) -> Iterator[str]:
 
 
 def skipped(data: bytes) -> str:
-    """Bytes that belong to no packet, and why, if they look like one."""
-    count = f"{len(data)} byte{'s' * (len(data) != 1)} of no packet"
+    """Bytes outside packets, and the reason, if they look like a packet."""
+    count = f"{len(data)} byte{'s' * (len(data) != 1)} outside packets"
     at = data.find(SYNC)
     if at < 0 or len(data) - at < 6:
         return f"{count}: {_as_text(data)}"

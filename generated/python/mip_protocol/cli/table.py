@@ -16,7 +16,7 @@ from .selection import Selection
 
 
 class Column(NamedTuple):
-    """One value in each row. `get` finds it in a field; `valid` is what vouches for it."""
+    """One value in each row. `get` finds it in a field; `valid` is its valid flag."""
 
     name: str
     unit: str

@@ -1,4 +1,4 @@
-"""Values that people type, as parameters hold them."""
+"""Typed values, as values of parameters."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
 
 
 def usage(kind: type[Command]) -> str:
-    """Where people find what it takes."""
+    """Where to find its parameters."""
     return f"`mip fields {kind.NAME}` says what it takes"
 
 
@@ -60,7 +60,7 @@ def functions(kind: type[Command]) -> list[str]:
 
 
 def wanted(kind: type[Command], function: str) -> list[str]:
-    """The names of the values that a function takes; in brackets, if they may be left out."""
+    """The names of the values that a function takes; in brackets if they may be left out."""
     build = getattr(kind, function) if function else kind
     accepted = inspect.signature(build).parameters
     return [
@@ -101,7 +101,7 @@ def _assigned(
                 free.pop(0)
             if not free:
                 names = ", ".join(p.name for p in wanted) or "no values"
-                raise Failure(f"'{word}' is too much; {kind.NAME} takes {names}")
+                raise Failure(f"'{word}' is one value too many; {kind.NAME} takes {names}")
             p, text = free.pop(0), word
         found[p.attribute] = (p, text)
     return [found[p.attribute] for p in wanted if p.attribute in found]
@@ -111,7 +111,7 @@ def _assigned(
 
 
 def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
-    """What a text means for a parameter; `before` has the parameters in front of it."""
+    """The value of a text for a parameter; `before` has the parameters before it."""
     if p.kind == "switch":
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
@@ -122,7 +122,7 @@ def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
         try:
             return _from_json(p, json.loads(text))
         except json.JSONDecodeError as error:
-            raise Failure(f"{p.name}: '{text}' is no JSON: {error.msg}") from None
+            raise Failure(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
     if p.kind == "struct":
         return _structure(p, text)
     if p.kind == "array":
@@ -172,7 +172,7 @@ def _from_json(p: Parameter, given: Any) -> Any:
             found[m.attribute] = _from_json(case or m, v)
         return _made(p, found)
     if isinstance(given, (dict, type(None))):
-        raise Failure(f"{p.name}: {json.dumps(given)} is no value for it")
+        raise Failure(f"{p.name}: {json.dumps(given)} is not a value for it")
     return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
 
 
@@ -188,7 +188,7 @@ def _scalar(p: Parameter, text: str) -> Any:
             return names[text.lower()]
         if (number := _integer(text)) is not None:
             return kind(number)
-        raise Failure(f"{p.name}: '{text}' is none of {', '.join(names)}")
+        raise Failure(f"{p.name}: '{text}' is not one of {', '.join(names)}")
     if p.scalar == "bool":
         said = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
         if text.lower() in said:
@@ -201,12 +201,12 @@ def _scalar(p: Parameter, text: str) -> Any:
         if number is None and p.scalar == "u8":
             number = _named_number(text)
         if number is None:
-            raise Failure(f"{p.name}: '{text}' is no whole number")
+            raise Failure(f"{p.name}: '{text}' is not a whole number")
         return number
     try:
         return float(text)
     except ValueError:
-        raise Failure(f"{p.name}: '{text}' is no number") from None
+        raise Failure(f"{p.name}: '{text}' is not a number") from None
 
 
 def _integer(text: str) -> int | None:
@@ -220,7 +220,7 @@ def _integer(text: str) -> int | None:
 
 
 def _named_number(text: str) -> int | None:
-    """The number of a set, or the descriptor of a field, where a byte is wanted."""
+    """The number of a set, or the descriptor of a field, where a byte is required."""
     try:
         number, descriptor = keys(text)[0]
     except Failure:
@@ -252,7 +252,7 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
         elif (whole := _integer(name)) is not None:
             bits |= whole
         else:
-            raise Failure(f"{p.name}: '{part}' is none of {', '.join(names)}")
+            raise Failure(f"{p.name}: '{part}' is not one of {', '.join(names)}")
     return kind(bits)
 
 

@@ -1,4 +1,4 @@
-"""What a log has: how many fields of each type, and how often they come."""
+"""The contents of a log: how many fields of each type, and their rates."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ class Source:
         return np.concatenate((data, np.zeros(missing, np.uint8))), len(data)
 
     def close(self) -> None:
-        """Lets the file go. Columns that were read stay."""
+        """Closes the file. Columns already read remain valid."""
         self._view.release()
         if self._map is not None:
             try:

@@ -1,4 +1,4 @@
-"""What passes between one client and the device: a bounded queue, at the pace of the line."""
+"""The data between one client and the device: a bounded queue, at the rate of the line."""
 
 from __future__ import annotations
 
@@ -74,7 +74,8 @@ class Channel:
         return self._size
 
     def collect(self) -> None:
-        """Takes what the device has sent. Without room for it, the oldest packets are dropped whole."""
+        """Takes the bytes that the device has sent. Without room for them, the oldest packets are
+        dropped whole."""
         if self.link.baud != self._baud:
             self._baud = self.link.baud
             if self._baud and self._garble is None:
@@ -139,7 +140,7 @@ class Channel:
         return b"".join(front)
 
     def receive(self) -> bool:
-        """Passes on what the client has sent; False if it is gone."""
+        """Passes on the bytes that the client has sent; False if it has disconnected."""
         try:
             data = self.peer.read()
         except BlockingIOError:

@@ -43,7 +43,7 @@ chance; all=RATE is every kind.
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("device", nargs="?", metavar="DEVICE", help="which one, as --list names it")
+    add("device", nargs="?", metavar="DEVICE", help="which device, as listed by --list")
     add("--list", action="store_true", help="list the devices and end")
     add(
         "--pty",
@@ -103,7 +103,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below"
     )
     add("--fault-log", type=Path, metavar="FILE", help="log each fault as a line of JSON")
-    add("--log-packets", action="store_true", help="log each packet that is sent, too")
+    add("--log-packets", action="store_true", help="also log each packet that is sent")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -175,7 +175,7 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
 
 
 def _known(profile: Device) -> str:
-    """How much a profile knows of its device, for those that are incomplete."""
+    """How complete a profile is, for those that are incomplete."""
     known = profile.fields | profile.perhaps.keys()
     commands = sum(1 for set, _ in known if set < 0x80)
     data = len(known) - commands
@@ -207,7 +207,7 @@ def _complain(text: str) -> None:
 
 def _profile(name: str | None) -> Device:
     if name is None:
-        raise Failure("which device? `mip simulate --list` names them all")
+        raise Failure("which device? `mip simulate --list` lists them all")
     return device_named(name)
 
 

@@ -1,4 +1,4 @@
-"""What a device streams: the formats and switches of its settings, as streams."""
+"""The streams of a device: the formats and switches of its settings."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ def device_named(name: str) -> Device:
         near = [n for n in sorted(names) if wanted in n]  # a part of the name, else a similar one
         near = near or difflib.get_close_matches(wanted, names, 1, 0.5)
         hint = f"do you mean {names[near[0]].id}? " if near else ""
-        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
+        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` lists them all")
     return names[wanted]
 
 

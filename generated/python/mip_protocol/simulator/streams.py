@@ -1,4 +1,5 @@
-"""Streams: what a device sends at its base rate over decimations, and how fields become packets."""
+"""Streams: what a device sends at its base rate divided by decimations, and how fields become
+packets."""
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ class Antenna:
 
 
 class World:
-    """What quantities are taken from. The device moves it through time and sets what its settings say.
+    """The source of the quantities. The device moves it through time and sets what its settings say.
 
     `sensor_to_vehicle` turns vectors of the sensor, which is fixed to the moving body, into the vehicle frame.
     """
@@ -135,7 +135,7 @@ class World:
         return found
 
     def restart(self) -> None:
-        """The device starts anew: its own clock is at 0, and it removes no bias."""
+        """The device restarts: its own clock is at 0, and it removes no bias."""
         self.booted = self.now
         self.accel_bias = self.gyro_bias = (0.0, 0.0, 0.0)
 
@@ -202,13 +202,13 @@ class World:
 
     @property
     def specific_force(self) -> Vector:
-        """Acceleration less gravity, without bias."""
+        """Acceleration minus gravity, without bias."""
         n, e, d = self.state.acceleration
         return turned(self.state.dcm, (n, e, d - self.gravity))
 
     @property
     def accel_bias_left(self) -> Vector:
-        """What the setting does not remove."""
+        """The part that the setting does not remove."""
         (a, b, c), (x, y, z) = self.accel_error, self.accel_bias
         return a - x, b - y, c - z
 

@@ -762,22 +762,22 @@ pub static CV7_AR: Device = Device {
 /// | --- | --- | --- | --- |
 /// | unused (0) | unused (0) | 1 to 4 | none |
 /// | gpio (1) | input (1) | 1 to 4 | pull-up or pull-down |
-/// | gpio (1) | output low (2) | 1 to 4 | open drain, then also pull-up |
-/// | gpio (1) | output high (3) | 1 to 4 | open drain, then also pull-up |
+/// | gpio (1) | output low (2) | 1 to 4 | open drain, optionally with pull-up |
+/// | gpio (1) | output high (3) | 1 to 4 | open drain, optionally with pull-up |
 /// | pps (2) | input (1) | 1; restricted on 2 to 4 | none |
 /// | pps (2) | output (2) | 1; restricted on 2 to 4 | none |
 /// | timestamp (4) | rising (1) | 1 to 4 | pull-up or pull-down |
 /// | timestamp (4) | falling (2) | 1 to 4 | pull-up or pull-down |
 /// | timestamp (4) | either (3) | 1 to 4 | pull-up or pull-down |
-/// | uart (5) | UART 2 transmit (33) | 1 and 2 | open drain, then also pull-up |
+/// | uart (5) | UART 2 transmit (33) | 1 and 2 | open drain, optionally with pull-up |
 /// | uart (5) | UART 2 receive (34) | 1 and 2 | pull-up or pull-down |
-/// | uart (5) | UART 3 transmit (49) | 3 and 4 | open drain, then also pull-up |
+/// | uart (5) | UART 3 transmit (49) | 3 and 4 | open drain, optionally with pull-up |
 /// | uart (5) | UART 3 receive (50) | 3 and 4 | pull-up or pull-down |
 ///
 /// # NMEA output
 ///
 /// Sentences of [`mip_3dm::NmeaMessageFormat`](crate::mip_3dm::NmeaMessageFormat). The talkers are
-/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are
+/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data is
 /// valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.
 ///
 /// | Sentence | Contents | Talkers | Sources |

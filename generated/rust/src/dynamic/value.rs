@@ -33,7 +33,7 @@ pub struct Record {
     values: Vec<(Cow<'static, str>, Value)>,
 }
 
-/// Why values do not make a field.
+/// Why values cannot be converted to a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ValueError {
@@ -45,7 +45,7 @@ pub enum ValueError {
     Range,
     /// A counter differs from the number of elements, or there are too many or too few of them.
     Count,
-    /// A union does not hold the member that its tag selects.
+    /// A union does not contain the member that its tag selects.
     Tag,
     /// A value is not the text, list or record that is required.
     Kind,
@@ -58,7 +58,7 @@ impl fmt::Display for ValueError {
             Self::Missing => "a value is missing",
             Self::Range => "a number does not fit",
             Self::Count => "the number of elements is wrong",
-            Self::Tag => "a union does not hold the member that its tag names",
+            Self::Tag => "a union does not contain the member that its tag names",
             Self::Kind => "a value is of another kind",
         })
     }

@@ -80,7 +80,7 @@ macro_rules! bitfield {
     };
 }
 
-/// What every bitfield can do as a set of bits; unknown bits are bits like others.
+/// The methods of every bitfield as a set of bits; unknown bits are treated like others.
 macro_rules! bit_sets {
     ($name:ident: $storage:tt) => {
         impl $name {
@@ -116,21 +116,21 @@ macro_rules! bit_sets {
                 }
             }
 
-            /// Those of these bits that have a name.
+            /// The given bits that have a name.
             #[inline]
             #[must_use]
             pub const fn from_bits_truncate(bits: $storage) -> Self {
                 Self(bits).intersection(Self::ALL_BITS)
             }
 
-            /// These bits, those without a name too.
+            /// These bits, including those without a name.
             #[inline]
             #[must_use]
             pub const fn from_bits_retain(bits: $storage) -> Self {
                 Self(bits)
             }
 
-            /// The bit, or the bits of the number, that the specification calls so.
+            /// The bit, or the bits of the number, with this name in the specification.
             #[inline]
             #[must_use]
             pub fn from_name(name: &str) -> ::core::option::Option<Self> {
@@ -194,7 +194,7 @@ macro_rules! bit_sets {
                 *self = if value { self.union(bits) } else { self.difference(bits) };
             }
 
-            /// The bits that are set in any of both.
+            /// The bits that are set in either.
             #[inline]
             #[must_use]
             pub const fn union(self, other: Self) -> Self {
@@ -215,7 +215,7 @@ macro_rules! bit_sets {
                 Self($crate::bits::merge!($storage, and_not, self.0, other.0))
             }
 
-            /// The bits that are set in one of both.
+            /// The bits that are set in exactly one of them.
             #[inline]
             #[must_use]
             pub const fn symmetric_difference(self, other: Self) -> Self {
@@ -238,8 +238,8 @@ macro_rules! bit_sets {
 
             /// The bits that are set, with their names.
             ///
-            /// A number that is not 0 comes with its bits. Bits that came with one name do not come
-            /// with another.
+            /// A number that is not 0 is returned with its bits. Bits returned with one name are
+            /// not returned with another.
             #[inline]
             #[must_use]
             pub fn iter_names(&self) -> $crate::bits::IterNames<Self> {

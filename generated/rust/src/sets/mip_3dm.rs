@@ -614,7 +614,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
-    ///   by the wanted rate.
+    ///   by the desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -682,7 +682,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get GNSS data base rate command reports it,
-    ///   divided by the wanted rate.
+    ///   divided by the desired rate.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
@@ -749,7 +749,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get estimation filter data base rate command
-    ///   reports it, divided by the wanted rate.
+    ///   reports it, divided by the desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -1001,7 +1001,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get data base rate command reports it, divided by
-    ///   the wanted rate.
+    ///   the desired rate.
     /// - List shared descriptors (0xD0 and up) under the set whose packets will contain them,
     ///   before the others.
     ///

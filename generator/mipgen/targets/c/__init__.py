@@ -86,7 +86,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
 
 
 def in_order(s: m.Set) -> Iterator[m.Field]:
-    """The fields of a set, each command with the responses that it owns behind it."""
+    """The fields of a set, each command followed by the responses that it owns."""
     for f in s.fields:
         if f.role != m.RESPONSE:
             yield f

@@ -61,8 +61,8 @@ def calls(f: m.Field, model: m.Model) -> list[Call]:
 
 
 def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]:
-    """The calls of one function of a command. Where it is answered by one of several responses, each has its own, which
-    fixes the parameters that decide on it; their first one asks for nothing else than to be acknowledged."""
+    """The calls of one function of a command. If one of several responses answers it, each response has a call, which
+    fixes the parameters that select it; the first call expects only an acknowledge."""
     function = way.function if way else None
     replies = [r for r in model.replies(f) if function is None or function in r.functions]
     layouts = [(layout, r) for r in replies for layout in r.layouts]

@@ -118,7 +118,7 @@ class Comments:
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
     def case(self, c: m.Case, union: m.Parameter, record: Record) -> list[str]:
-        """Of an alternative: when it is there, then what is said of its parameter."""
+        """Of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None
         text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
         when = said([describe.case(c, union, record)])

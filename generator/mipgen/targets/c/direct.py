@@ -21,7 +21,7 @@ class Access:
     type: str  # name of the scalar
     size: int  # bytes of one number
     count: int  # of an array; 0 for a single number
-    text: bool = False  # with a NUL behind it
+    text: bool = False  # followed by a NUL
 
     @property
     def bytes(self) -> bool:

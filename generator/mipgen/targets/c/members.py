@@ -26,7 +26,7 @@ def declaration(p: m.Parameter, record: Record) -> str:
 
 
 def _dimensions(op: m.Operation) -> str:
-    """The brackets behind a member's name."""
+    """The brackets after a member's name."""
     if isinstance(op, m.TextOp):
         return f"[{op.capacity + 1}]"
     if isinstance(op, m.ArrayOp):
@@ -35,7 +35,7 @@ def _dimensions(op: m.Operation) -> str:
 
 
 def home(alternative: m.Parameter) -> str:
-    """What comes before the name of an alternative: one that fills the field shares a structure with its count."""
+    """The prefix of the name of an alternative: one that fills the field shares a structure with its count."""
     return f"{member(alternative.name)}." if alternative.length == "rest" else ""
 
 

@@ -10,7 +10,8 @@ LANGUAGE = language("c")
 _KEYWORDS = frozenset(LANGUAGE["keywords"])
 _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 
-#: C99 looks at this many characters of an identifier; what differs only behind them may be one thing.
+#: The number of significant characters of an identifier in C99; identifiers that differ only after them may be the
+#: same.
 MAX_IDENTIFIER = 63
 
 Record = m.Field | m.Struct

@@ -22,7 +22,7 @@ _FEW = 31
 #: The most parameters of a group that the first byte of a step can count.
 _GROUP = 16
 
-#: In the arguments of a step: the bytes of the program behind it.
+#: In the arguments of a step: the bytes of the program that follows it.
 LENGTH = object()
 
 #: No compiler leaves more bytes unused before a member.
@@ -70,7 +70,7 @@ class Numbers:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A program inside of another one, behind a step whose arguments count its bytes."""
+    """A program inside another one, after a step whose arguments count its bytes."""
 
     step: Step
     steps: tuple[Step | Numbers | Part, ...]
@@ -183,7 +183,7 @@ def _numbers(scalar: m.Scalar, count: int, place: tuple[str, str]) -> Numbers:
 
 
 def _items(op: m.TextOp | m.ArrayOp, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
-    """The elements of an array, or the characters of a text, which has a NUL behind it."""
+    """The elements of an array, or the characters of a text, which is followed by a NUL."""
     place = (base, of + member(op.member))
     wire = 1 if isinstance(op, m.TextOp) else operations.size(op.item)[1]
     if op.counter is not None:

@@ -58,7 +58,7 @@ def names(t: m.Enum | m.Bitfield) -> str:
 
 
 def labels(parts: Sequence[m.EnumValue | m.Bits]) -> str:
-    """Names with a NUL behind each; behind the last one is that of the string."""
+    """Names, each followed by a NUL; that of the last one is the end of the string."""
     return " ".join([*(f'"{part.name}\\0"' for part in parts[:-1]), *(f'"{part.name}"' for part in parts[-1:])]) or '""'
 
 

@@ -18,7 +18,7 @@ TITLE = "Kaitai Struct, mip.ksy"
 CONFORMANCE = ("decode",)
 NEEDS = "Kaitai Struct with Node"
 
-#: What a reader is told of a parameter besides its description.
+#: The documentation of a parameter besides its description.
 TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
 
 
@@ -148,7 +148,7 @@ def _named(ref: describe.Ref) -> str:
 
 
 def about(name: str, record: expressions.Record, model: m.Model) -> str:
-    """What is said of a parameter, or of one that a union holds; empty if nothing is."""
+    """The documentation of a parameter, or of one in a union; empty if there is none."""
     everything = [q for p in record.parameters for q in (p, *(c.parameter for c in p.cases)) if q is not None]
     p = next(q for q in everything if q.name == name)
     facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []

@@ -188,7 +188,7 @@ def _whole(op: m.Operation, at: Extent, peeks: list[Peek]) -> Iterator[str]:
 
 @dataclass(frozen=True, slots=True)
 class Layouts:
-    """How the layouts of one descriptor are told apart."""
+    """How the layouts of one descriptor are distinguished."""
 
     bytes: tuple[int, ...]  # places of constants, byte by byte: data may end inside of one
     fits: tuple[str, ...]  # for each layout: the constants do not contradict it

@@ -32,7 +32,7 @@ class Around:
     device: m.Device | None
 
 
-# --------------------------------------------------------------------------- prints
+# --------------------------------------------------------------------------- bytes
 
 
 def device(page: Page, x: m.Example) -> m.Device | None:
@@ -41,12 +41,12 @@ def device(page: Page, x: m.Example) -> m.Device | None:
 
 
 def right_bytes(x: m.Example) -> str:
-    """Those of the field, if the manual prints no packet around it."""
+    """Those of the field, if the manual shows it without a packet."""
     return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
 
 
 def misprints(x: m.Example) -> list[str]:
-    """How the print differs from the right bytes."""
+    """How the bytes in the manual differ from the correct ones."""
     return [plain(d) for d in differences(x)]
 
 
@@ -76,7 +76,7 @@ class Shown:
 
 
 def shown_examples(page: Page, f: m.Field) -> list[Shown]:
-    """The examples of a field and of its responses; if no manual prints any, one of typical values."""
+    """The examples of a field and of its responses; if the manuals give none, one of typical values."""
     found = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
     return [Shown(x, packet_table(page, x)) for x in found.values() or [made(page, f)]]
 
@@ -167,7 +167,7 @@ def _value(p: m.Parameter, value: Any, around: Around) -> str:
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
-    """Those that hold here: of the device, or beside the value of a sibling."""
+    """Those that apply here: for the device, or for the value of a sibling."""
     device = around.device.id if around.device else None
     return [v for v in p.variants if (v.key == device if v.by_device else v.value == around.values.get(v.by))]
 

@@ -17,7 +17,7 @@ TABLED = ("functions", "responses")
 
 
 def facts(page: Page, f: m.Field) -> str:
-    """What is known of a field beside its description, in sentences."""
+    """The facts about a field besides its description, in sentences."""
     said = [(x.topic, page.say(x.sentence)) for x in describe.field(f, page.model) if x.topic not in (*TABLED, "note")]
     return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in said)
 
@@ -30,7 +30,7 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 
 def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
-    """The length of a field with these parameters behind `head` bytes."""
+    """The length of a field with these parameters after `head` bytes."""
     found = [code(e) if e.terms else str(e) for e in totals((p.operation for p in parameters), Extent(head))]
     return " or ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
 

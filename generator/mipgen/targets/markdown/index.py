@@ -44,7 +44,7 @@ class Index:
         return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
 
     def errata_naming(self, f: m.Field) -> list[m.Erratum]:
-        """Further errata whose texts name a field: they say something of it beside their own subject."""
+        """Further errata whose texts name a field: they mention it besides their own subject."""
         own = {e.id for e in self.errata(f)}
         return list({e.id: e for e in self._naming.get(f.full_name, ()) if e.id not in own}.values())
 
@@ -133,7 +133,7 @@ def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
 
 
 def _section(e: m.Erratum) -> tuple[str, str]:
-    """As fields cite it: an erratum may name a part of a section behind " > "."""
+    """As fields cite it: an erratum may name a part of a section after " > "."""
     return e.manual, e.section.partition(" > ")[0]
 
 

@@ -86,7 +86,7 @@ def _inside(row: Row, p: m.Parameter, depth: int) -> Iterator[Row]:
 
 
 def extent(op: m.Operation, prefix: str = "") -> Extent | None:
-    """The bytes of an operation, if what comes before it tells."""
+    """The bytes of an operation, if those before it determine them."""
     found = extents(op, prefix)
     return found[0] if len(found) == 1 and all(name != REST for _, name in found[0].terms) else None
 

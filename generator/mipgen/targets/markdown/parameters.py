@@ -38,7 +38,7 @@ class _Row:
     anchor: str  # empty in a structure, which is a part of several fields
 
     def ref(self, r: Ref) -> str:
-        """What is beside the parameter has its full name."""
+        """A sibling of the parameter has its full name."""
         if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
             r = replace(r, words=self.row.beside(r.words))
         return self.page.ref(r)

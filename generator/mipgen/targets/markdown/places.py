@@ -130,11 +130,11 @@ class Page:
     # ----------------------------------------------------------------------- text of the specification
 
     def prose(self, text: str) -> str:
-        """A text of the specification; what it says of fields becomes links."""
+        """A text of the specification; references to fields become links."""
         return opening(self.say(describe.prose(text, self.model)))
 
     def quotation(self, text: str) -> str:
-        """What a manual prints; the descriptors in it become links."""
+        """A quotation of a manual; the descriptors in it become links."""
         return opening(self.say(describe.quotation(text, self.model)))
 
     def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:

@@ -16,7 +16,7 @@ _CODE_ENTITIES = str.maketrans(
 
 @cache
 def inline(text: object) -> str:
-    r"""A part of a line: nothing in it is taken for Markdown or HTML, but backticks make code.
+    r"""A part of a line, escaped so that it contains no Markdown or HTML except code in backticks.
 
     >>> print(inline("4 + 3*a | <b> _c_ d_e"), inline("state `a_b*c` and `"))
     4 + 3\*a \| &lt;b> \_c\_ d_e state `a_b*c` and \`
@@ -28,7 +28,7 @@ def inline(text: object) -> str:
 
 @cache
 def opening(markdown: str) -> str:
-    r"""Markdown that may begin a line: it does not begin a list, a heading or a quotation there.
+    r"""Markdown for the beginning of a line, escaped so that it does not begin a list, a heading or a quotation.
 
     >>> print(opening("1. a"), opening("- b"), opening("3.1 c"))
     1\. a \- b 3.1 c

@@ -23,7 +23,7 @@ def nature(t: m.Type) -> str:
 
 
 def values(page: Page, t: m.Enum, anchor: str = "") -> str:
-    """A table of the values; `anchor` comes before those of the rows, if they have any."""
+    """A table of the values; `anchor` precedes those of the rows, if they have any."""
     rows = [
         [
             str(v.value),

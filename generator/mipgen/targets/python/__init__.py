@@ -1,4 +1,4 @@
-"""Python: a package on the standard library alone."""
+"""Python: a package that needs only the standard library."""
 
 from __future__ import annotations
 

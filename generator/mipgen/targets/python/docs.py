@@ -93,7 +93,7 @@ def of_member(p: m.Parameter, record: Record, model: m.Model) -> str:
 
 
 def _case(c: m.Case, union: m.Parameter, record: Record, model: m.Model) -> str:
-    """What a union holds beside one value of its tag."""
+    """What a union holds for one value of its tag."""
     where, p = home(record), c.parameter
     condition = say(describe.case(c, union, record).value, where)
     if p is None:
@@ -129,7 +129,7 @@ def items(texts: Iterable[str]) -> str:
 
 
 def literal(paragraphs: Iterable[str], indent: int) -> str:
-    """A docstring of these paragraphs for a place that is indented so; nothing if they say nothing.
+    """A docstring of these paragraphs, indented; nothing if they are empty.
 
     >>> literal(["Short."], 4)
     '\"""Short.\"""'
@@ -150,7 +150,7 @@ def literal(paragraphs: Iterable[str], indent: int) -> str:
 
 
 def comment(text: str, indent: int) -> str:
-    """A comment for a place that is indented so."""
+    """A comment, indented."""
     return _indented([f"# {line}" for line in _wrapped(text, WIDTH - indent - 2)], indent)
 
 
@@ -160,5 +160,5 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def _indented(lines: Iterable[str], indent: int) -> str:
-    """Lines for a place that is indented so: the first one stands there already."""
+    """Lines, indented except for the first one, whose indentation is already there."""
     return "\n".join(" " * indent + line if line else "" for line in lines).lstrip()

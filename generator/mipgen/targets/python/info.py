@@ -108,7 +108,7 @@ def of_bits(b: m.Bits, model: m.Model) -> Row:
 
 
 def of_parameter(p: m.Parameter, record: Record, model: m.Model, case: m.Case | None = None, union: str = "") -> Row:
-    """What is known of a parameter beside its name and kind, and beside its cases. Of the parameter of a union's case,
+    """The description of a parameter besides its name, kind and cases. Of the parameter of a union's case,
     `case` and the name of the union."""
     facts = describe.parameter(p, record, model)
     if case is not None:
@@ -244,7 +244,7 @@ def _masks(types: Iterable[object], bit: str) -> list[int]:
 
 
 def _flags_on(p: m.Parameter, record: Record) -> dict[str, Flags]:
-    """Devices where something else vouches for a parameter, or the same bit is another one."""
+    """Devices where a parameter has another valid flag, or the same flag is another bit."""
     own = {v.key: v.valid for v in p.variants if v.by_device and v.valid is not None and not v.member}
     holders = {path.partition(".")[0] for paths in (p.valid, *own.values()) for path in paths}
     readings = (v for q in record.parameters if q.name in holders for v in q.readings if v.by_device)

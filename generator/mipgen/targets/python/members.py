@@ -174,7 +174,7 @@ def decoded(record: Record) -> list[str]:
 
 
 def parameters(call: m.Call, record: m.Field) -> list[str]:
-    """The parameters of the constructor for a function: what is asked for, then what may follow."""
+    """The parameters of the constructor for a function: the required ones, then the optional ones."""
     asked = [f"{member(p.name)}: {_needed(p, record)}" for p in call.asked if not p.derived]
     return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in _free(call.optional)]
 
@@ -186,7 +186,7 @@ def _needed(p: m.Parameter, record: m.Field) -> str:
 
 
 def arguments(call: m.Call) -> list[str]:
-    """What that constructor hands on, behind the function."""
+    """What that constructor passes on, after the function."""
     found = []
     for p in call.required:
         if not p.derived:

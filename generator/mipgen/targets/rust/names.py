@@ -1,4 +1,4 @@
-"""What things of the model are called in Rust, and where they stand."""
+"""The names of the model in Rust, and their modules."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 
 
 def home(thing: m.Type | Record) -> str:
-    """The module that a type stands in."""
+    """The module of a type."""
     if isinstance(thing, m.Field):
         return module(thing.set_name)
     owner = None if isinstance(thing, m.Vector) else thing.owner

@@ -176,7 +176,7 @@ class Records:
         return [x for x in self.members(record) if x.parameter.operation in group.body]
 
     def derives(self, record: Record) -> list[str]:
-        """The traits that a record derives besides those that all have."""
+        """The traits that a record derives besides those of all records."""
         selects = isinstance(record, m.Field) and record.selector
         default = ["Default"] if self.derives_default(record) and not selects else []
         return sorted([*default, *_derives(record.operations, record.max_size)])

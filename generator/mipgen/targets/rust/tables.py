@@ -65,7 +65,7 @@ class Tables:
         return (0x80, 0xFF) if f.set == 0xFF else (f.set, f.set)
 
     def set_pattern(self, f: m.Field) -> str:
-        """The sets of a field as a pattern, where they are more than its own."""
+        """The sets of a field as a pattern, if it has others besides its own."""
         first, last = self.set_range(f)
         if first != last:
             return f"0x{first:02X}..=0x{last:02X}"

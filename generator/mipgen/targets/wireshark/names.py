@@ -80,7 +80,7 @@ def members(union: m.Parameter) -> tuple[m.Parameter, ...]:
 
 
 def _leaf(p: m.Parameter) -> bool:
-    """Do its values have the name? That of a vector, a structure or a union stands for all of its parts."""
+    """Do its values have the name? The name of a vector, a structure or a union applies to all of its parts."""
     return not isinstance(p.element, (m.Vector, m.Struct)) and not p.cases
 
 

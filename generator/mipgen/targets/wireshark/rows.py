@@ -30,7 +30,7 @@ class Row:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """What is printed behind values; nothing behind plain numbers."""
+        """What is shown after values; nothing after plain numbers."""
         found = self.parameter.units if self.parameter else ()
         return tuple("" if unit == "1" else unit for unit in found) if set(found) - {"1"} else ()
 

@@ -20,7 +20,7 @@ export function inspector(root, protocol, options = {}) {
         output.replaceChildren(...report(found, to));
     };
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays, strings, with or without anything between packets")),
+        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets")),
         input,
         element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
         output,
@@ -49,7 +49,7 @@ function otherBytes({ bytes }) {
     return element(
         "section",
         { class: "mip-other", "data-kind": "other" },
-        element("p", {}, `${count(bytes.length, "byte")} that belong to no packet: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+        element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
     );
 }
 
@@ -78,7 +78,7 @@ function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
         { class: "mip-verdict mip-wrong" },
         "Checksum ",
         element("code", {}, spacedHex(checksum)),
-        " is wrong; right is ",
+        " is wrong; correct: ",
         element("code", {}, spacedHex(rightChecksum)),
         ".",
     );
@@ -88,7 +88,7 @@ function misprintNote({ example, right, errata }, to) {
     return element(
         "p",
         { class: "mip-note" },
-        `The manual ${example.manual} prints these bytes (${example.section}: ${example.title}) by mistake. Right is `,
+        `The manual ${example.manual} gives these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
         element("code", {}, spacedHex(right)),
         ". ",
         errata.length ? ["See ", listed(errata, to), "."] : "",
@@ -113,7 +113,7 @@ function fieldReport(found, to) {
         element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
         error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
         rows.length > 0 && valueTable(rows),
-        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} behind the last known parameter.`),
+        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} after the last known parameter.`),
         errata.length > 0 && element("p", { class: "mip-note" }, "Mistakes in the manuals: ", listed(errata, to)),
     );
 }

@@ -5,8 +5,8 @@
         async for arrival in device:
             ...
 
-TCP connections are streams of asyncio; a thread reads any other port. All methods are to be called
-in the event loop that has made the device, by as many tasks as one likes.
+TCP connections are asyncio streams; a thread reads any other port. Call all methods in the event
+loop that created the device, from any number of tasks.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ OnEnd = Callable[["BaseException | None"], object]
 
 
 class Device:
-    """A device at a port that is open. In an `async with` statement, it is closed at the end."""
+    """A device on an open port. An `async with` statement closes it at the end."""
 
     def __init__(
         self,
@@ -75,7 +75,7 @@ class Device:
         await self.close()
 
     async def close(self) -> None:
-        """Closes the port. Those who wait get PortClosed; iterations end."""
+        """Closes the port. Waiting callers get PortClosed; iterations end."""
         self._closes += 1
         self._closed = True
         self._end = self._end or PortClosed("the device has been closed")
@@ -83,7 +83,7 @@ class Device:
         await self._link.stop()
 
     async def reopen(self, timeout: float = 10.0) -> None:
-        """As `device.Device.reopen`."""
+        """Like `device.Device.reopen`."""
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         link = self._link
@@ -117,22 +117,22 @@ class Device:
 
     @property
     def closed(self) -> bool:
-        """Is the port closed or gone? Data that have come can still be taken."""
+        """Is the port closed or lost? Data already received can still be read."""
         return self._end is not None
 
     @property
     def dropped(self) -> int:
-        """Packets that nobody has taken in time."""
+        """The number of packets dropped because they were not read in time."""
         return self._talk.dropped
 
     @property
     def skipped(self) -> int:
-        """Bytes that belong to no packet."""
+        """The number of bytes that are not part of a packet."""
         return self._talk.skipped
 
     @property
     def waiting(self) -> int:
-        """Packets that can be taken without waiting."""
+        """The number of packets that can be read without waiting."""
         return len(self._talk.arrivals)
 
     @property
@@ -189,7 +189,7 @@ class Device:
     async def exchange(
         self, *commands: Command, timeout: float | None = None
     ) -> list[Outcome | None]:
-        """Sends commands of one set in one packet and returns what became of each.
+        """Sends commands of one set in one packet and returns the outcome of each.
 
         None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
         """
@@ -198,7 +198,7 @@ class Device:
     async def send(self, *commands: Command) -> None:
         """Sends commands of one set in one packet, and does not wait for answers.
 
-        Answers, if they come, are among the data. Raises PortClosed and EncodeError.
+        Answers, if any arrive, are treated as data. Raises PortClosed and EncodeError.
         """
         await self._send(commands, None, wait=False)
 
@@ -248,17 +248,18 @@ class Device:
     # ----------------------------------------------------------------- data
 
     async def __aiter__(self) -> AsyncIterator[Arrival]:
-        """The packets of data as they come. Ends when the device is closed by `close`.
+        """The data packets as they arrive. Ends when `close` closes the device.
 
-        Raises PortClosed when the port is gone, after everything that has come.
+        Raises PortClosed when the port is lost, after all data received before.
         """
         while (arrival := await self._next(None)) is not None:
             yield arrival
 
     async def next(self, timeout: float | None = None) -> Arrival | None:
-        """The next packet of data; None if none comes within so many seconds, or the device is closed.
+        """The next data packet; None if none arrives within `timeout` seconds, or if the device is
+        closed.
 
-        Raises PortClosed when the port is gone, after everything that has come.
+        Raises PortClosed when the port is lost, after all data received before.
         """
         return await self._next(None if timeout is None else time.monotonic() + timeout)
 
@@ -275,9 +276,10 @@ class Device:
         return arrivals.popleft()
 
     async def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[float, F]]:
-        """The fields of these types as they come, each with its time of arrival (`Arrival.time`).
+        """The fields of these types as they arrive, each with its time of arrival (`Arrival.time`).
 
-        In a packet, they come in the order of `kinds`. Fields that cannot be decoded raise DecodeError.
+        Those of one packet are in the order of `kinds`. Fields that cannot be decoded raise
+        DecodeError.
         """
         async for arrival in self:
             for kind in kinds:
@@ -286,13 +288,13 @@ class Device:
                     yield arrival.time, field
 
     def clear(self) -> None:
-        """Forgets the data that wait to be taken, which are not counted as dropped."""
+        """Discards the data that has not been read yet, without counting it as dropped."""
         self._talk.arrivals.clear()
 
     # ----------------------------------------------------------------- baud rate
 
     async def change_baud(self, command: Command, attempts: int = 3) -> int:
-        """As `device.Device.change_baud`."""
+        """Like `device.Device.change_baud`."""
         new, old = getattr(command, "baud", None), self.baud
         if new is None or old is None:
             raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
@@ -346,7 +348,7 @@ class Device:
 
 
 async def _set(event: asyncio.Event, seconds: float | None) -> None:
-    """Waits for an event, but not longer than so many seconds."""
+    """Waits for an event, at most this many seconds."""
     try:
         await asyncio.wait_for(event.wait(), seconds)
     except (TimeoutError, asyncio.TimeoutError):  # two classes until Python 3.11
@@ -447,7 +449,7 @@ class Streams:
 class open_port:  # noqa: N801  # it is called like the function of the other module
     """Opens the port of a device: `async with open_port(url) as device`, or `await open_port(url)`.
 
-    Arguments and errors are those of `device.open_port`.
+    The arguments and errors are those of `device.open_port`.
     """
 
     def __init__(

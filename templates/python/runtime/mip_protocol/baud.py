@@ -13,14 +13,14 @@ from .port import READ_TIMEOUT, as_port, read_some, write_all
 
 #: Seconds that a device takes to change its rate, until it answers at the new one.
 CHANGE = 0.25
-#: Seconds for which one rate is listened to.
+#: Seconds to listen at each rate.
 LISTEN = 0.3
 #: The rate of a new device.
 USUAL = 115200
 
 
 class Ping(Command[None]):
-    """The command that every device answers, whatever specification this package was made from."""
+    """The command that every device answers, whatever the specification of this package."""
 
     __slots__ = ()
 
@@ -37,7 +37,7 @@ PING = bytes(Ping().packet())
 
 
 def rates() -> tuple[int, ...]:
-    """The rates of all known devices, the usual one first, then the higher first."""
+    """The rates of all known devices, the usual one first, then in descending order."""
     from .devices import DEVICES
 
     known = {rate for d in DEVICES.values() for port in d.ports for rate in port.baud_rates}
@@ -47,9 +47,9 @@ def rates() -> tuple[int, ...]:
 def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: float = LISTEN) -> int:
     """Sets a serial port to the rate at which a device answers, and returns the rate.
 
-    Any packet will do: the answer to a ping, or data. What comes meanwhile is lost. `candidates`:
-    the rates to try, in order; else those of all known devices. `listen`: seconds for each. Raises
-    NoDevice, and leaves the rate as it was; OSError if the port is gone.
+    Any packet is sufficient: the answer to a ping, or data. Data that arrives meanwhile is lost.
+    `candidates`: the rates to try, in order; by default those of all known devices. `listen`:
+    seconds for each. Raises NoDevice, and restores the rate; OSError if the port is lost.
     """
     port = as_port(port)
     first = getattr(port, "baudrate", None)
@@ -71,7 +71,8 @@ def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: floa
 
 
 def answers(port: Any, listen: float) -> bool:
-    """Does a packet come at the rate that is set? Asks twice: what came before may spoil the first."""
+    """Does a packet arrive at the current rate? Tries twice: earlier bytes may damage the first
+    answer."""
     clear = getattr(port, "reset_input_buffer", None)
     if clear is not None:
         clear()

@@ -15,12 +15,12 @@ from zlib import adler32
 PIECE = 22
 #: The most that is left of the first sum of a whole packet if that has reached 65521.
 WRAPPED = 259 * 255 - 65521
-#: What has come so often will come again.
+#: A header that has occurred this often will occur again.
 TIMES = 8
 
 T = TypeVar("T")
 
-#: Has the packet at an offset, which is wholly there, the right checksum?
+#: Does the packet at an offset, which is complete, have the correct checksum?
 Check = Callable[[bytes, int], bool]
 
 
@@ -40,7 +40,8 @@ def checksum(data: bytes) -> bytes:
 
 
 def is_correct(data: bytes) -> bool:
-    """Has a packet the right checksum? Most that have not fail at the first sum, which is cheap."""
+    """Does a packet have the correct checksum? Most that do not fail at the first sum, which is
+    cheap."""
     body = data[:-2]
     first = adler32(body, 0) & 0xFFFF
     if first > WRAPPED and first & 0xFF != data[-2]:
@@ -87,7 +88,8 @@ def function(name: str, lines: Sequence[str], names: dict[str, Any]) -> Any:
 
 
 class Often(Generic[T]):
-    """Things that are worth making only for what comes often. Keeps no more than `most` of them."""
+    """Objects that are worth creating only for what occurs often. Keeps no more than `most` of
+    them."""
 
     def __init__(self, make: Callable[[bytes], T], most: int) -> None:
         self.made: dict[bytes, T] = {}
@@ -96,7 +98,7 @@ class Often(Generic[T]):
         self._counts: dict[bytes, int] = {}
 
     def count(self, key: bytes) -> None:
-        """One more of these has come."""
+        """One more of these has occurred."""
         seen = self._counts.get(key, 0) + 1
         if seen < TIMES:
             if len(self._counts) >= 4 * self._most:

@@ -1,6 +1,6 @@
 """The command client, without input or output.
 
-The caller moves the bytes and supplies the time:
+The caller transfers the bytes and provides the time:
 
     client = Client()
     port.write(client.send(Ping(), now=time.monotonic()))
@@ -26,10 +26,10 @@ from .types import AckCode
 
 @dataclass(frozen=True)
 class Answer:
-    """The device has answered a command; `response` is there if the command asks for one.
+    """The device has answered a command; `response` is present if the command requests one.
 
-    `error` says why it is missing: the device sent none (`MissingResponse`), or one that cannot be
-    decoded. `raw` is the undecoded response.
+    `error` is the reason why it is missing: the device sent none (`MissingResponse`), or one that
+    cannot be decoded. `raw` is the undecoded response.
     """
 
     command: Command
@@ -52,7 +52,7 @@ class TimedOut:
 
 @dataclass(frozen=True)
 class Received:
-    """A packet with fields that answer no command: data, or a reply that no command waits for."""
+    """A packet with fields that do not answer a command: data, or an unexpected reply."""
 
     packet: Packet
     taken: frozenset[int] = frozenset()
@@ -60,7 +60,7 @@ class Received:
 
     @property
     def fields(self) -> tuple[RawField, ...]:
-        """The fields that answer no command, up to a malformed one."""
+        """The fields that do not answer a command, up to a malformed one."""
         return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
 
 
@@ -87,12 +87,12 @@ class _Pending:
 
 
 class Client:
-    """Tracks the commands that wait for an answer. Data between the answers pass through."""
+    """Tracks the commands that wait for an answer. Data between the answers is passed through."""
 
     def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
-        """`timeout`: seconds until a command is given up; longer for commands that take longer.
+        """`timeout`: seconds until a command times out; longer for commands that take longer.
 
-        `skipped`: the bytes between packets are events, too.
+        `skipped`: bytes between packets are also events.
         """
         self._timeout = timeout
         self._parser = Parser()
@@ -106,20 +106,20 @@ class Client:
 
     @property
     def skipped(self) -> int:
-        """Bytes received that belong to no packet."""
+        """The number of bytes received that are not part of a packet."""
         return self._parser.skipped
 
     def send(self, *commands: Command, now: float, timeout: float | None = None) -> bytes:
         """The bytes to send: one packet with these commands, all of one descriptor set.
 
-        `timeout`: seconds for these, whatever the commands take otherwise.
+        `timeout`: seconds for these commands, in place of their usual time-outs.
 
         Raises EncodeError, and waits for no answer, if they do not fit into one packet.
         """
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
         if timeout is not None and timeout != timeout:
-            raise ValueError("timeout: NaN is no time")
+            raise ValueError("timeout: NaN is not a time")
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):
@@ -138,13 +138,14 @@ class Client:
         return self._events(self._parser.feed_all(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
+        """Discards an incomplete packet, for example at the end of a file, and searches its
+        bytes."""
         return self._events(self._parser.flush_all()) + self.poll(now)
 
     def look_behind(self, now: float) -> list[Event]:
-        """Gives up an incomplete packet only if whole ones are behind its first bytes: it was noise.
+        """Discards an incomplete packet only if whole packets follow its first bytes: it was noise.
 
-        To be called when nothing has come for a while. A packet that comes slowly is kept.
+        Call it when no bytes have arrived for a while. A packet that arrives slowly is kept.
         """
         events: list[Event] = []
         while found := self._parser.look_behind_all():
@@ -164,8 +165,7 @@ class Client:
         """The commands that have timed out.
 
         Noise that looks like the start of a long packet holds back what follows. Before a command
-        is given up, the packets behind such noise come first. A packet of which a part has come is
-        kept.
+        times out, the packets after such noise are processed. An incomplete packet is kept.
         """
         events: list[Event] = []
         while any(p.deadline <= now for p in self._pending):
@@ -187,7 +187,7 @@ class Client:
         return events
 
     def _taken(self, packet: Packet) -> list[Event]:
-        """The answers in a packet, and the packet itself if it holds other fields."""
+        """The answers in a packet, and the packet itself if it contains other fields."""
         if packet.set >= 0x80 or not self._pending:
             return [Received(packet)]
         fields, malformed = _fields(packet)
@@ -207,9 +207,9 @@ class Client:
     def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
         """The answer by an acknowledge field and the field after it, to the oldest such command.
 
-        A response never answers a command that does not ask for it, because it may be the late
-        answer to another one; an acknowledge without a response first answers commands that ask
-        for none.
+        A response never answers a command that does not request it, because it may be the late
+        answer to another one; an acknowledge without a response first answers commands that request
+        none.
         """
         try:
             ack = Acknowledge.decode(raw.data)
@@ -239,7 +239,7 @@ class Client:
 
 
 def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
-    """The answer with this response, if it is the one that the command asks for."""
+    """The answer with this response, if it is the one that the command requests."""
     command = waiting.command
     layouts = (
         t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor and t.matches(raw.data)

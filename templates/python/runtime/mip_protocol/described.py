@@ -1,4 +1,4 @@
-"""What objects know of themselves: names, units, validity, text. Loaded when it is first asked for."""
+"""The meaning of objects: names, units, validity, text. Loaded when it is first used."""
 
 from __future__ import annotations
 
@@ -62,10 +62,10 @@ class Described:
             cls.__slots__ = _Help(cls, names)  # type: ignore[assignment]
 
     def is_valid(self, name: str, device: str | None = None) -> bool:
-        """Is a value valid according to its flags? One that nothing vouches for is.
+        """Is a value valid according to its flags? A value without a flag is.
 
         `name` may be that of an element: "velocity.x". A vector is valid if all of its elements
-        are. A value that was not sent is not valid. The flags may depend on the device (its id).
+        are. An absent value is not valid. The flags may depend on the device (its id).
         """
         name, _, element = name.partition(".")
         p = self.INFO[name].of(self, device)
@@ -82,7 +82,7 @@ class Described:
         return all(value is not None and flag.holds(value) for flag, value in held)
 
     def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that gives it its meaning.
+        """The value `name` as the enumeration or bitfield that gives its meaning.
 
         The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
         Without such a type, the value is returned unchanged. Raises EncodeError if the value does
@@ -99,18 +99,19 @@ class Described:
         """The values by their names in the specification, in wire order; counters and constants are left out.
 
         Structures and vectors are dicts, arrays are lists, values that were not sent are None.
-        Enumerations are their names; those without a name are numbers. Of bitfields it is a list
-        of what is set: names, "name=number" for numbers of several bits, and bits without a name
-        as a hexadecimal number. All of these are numbers, and vectors lists, if not `names`.
-        Floats stay as they are; `json` makes those that JSON has no number for, NaN and
-        infinities, None. `device` is the id of the device, of which some names depend.
+        Enumerations are their names; those without a name are numbers. Of bitfields it is a list of
+        what is set: names, "name=number" for numbers of several bits, and bits without a name as a
+        hexadecimal number. All of these are numbers, and vectors lists, if not `names`. Floats stay
+        as they are; `json` makes those that JSON has no number for, NaN and infinities, None.
+        `device` is the id of the device, on which some names depend.
         """
         from .text import as_dict
 
         return as_dict(self, names, json, device)
 
     def to_text(self, device: str | None = None) -> str:
-        """One line with names, values and units, as a device has them; `str()` if it is not known."""
+        """One line with names, values and units, interpreted for a device; `str()` is for an
+        unknown device."""
         from .text import as_text
 
         return as_text(self, device)

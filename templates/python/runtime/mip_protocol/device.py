@@ -5,8 +5,8 @@
         for arrival in device:
             ...
 
-A thread reads everything that comes, as soon as it comes. Any thread may send requests, also while
-another one takes the data; each packet of data goes to one of those that ask for it.
+A thread reads all data as soon as it arrives. Any thread may send requests, also while another one
+reads the data; each data packet goes to only one of the readers.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Callback = Callable[[bytes], object]
 
 
 class Device:
-    """A device at a port that is open. In a `with` statement, it is closed at the end."""
+    """A device on an open port. A `with` statement closes it at the end."""
 
     def __init__(
         self,
@@ -44,14 +44,15 @@ class Device:
         on_bytes: Callback | None = None,
         on_skipped: Callback | None = None,
     ) -> None:
-        """`port`: a serial port of pyserial with whatever time-outs, a socket, or an object of your
-        own with `read(size)` and `write(data)`; see `port.Port`. It is closed with the device.
+        """`port`: a serial port of pyserial with any time-outs, a socket, or your own object with
+        `read(size)` and `write(data)`; see `port.Port`. It is closed with the device.
 
         `timeout`: seconds that the device has for an answer; longer for commands that take longer.
-        `capacity`: packets that wait to be taken; beyond that the oldest are dropped and counted.
-        `on_bytes` gets everything that comes, `on_skipped` what is between packets, such as NMEA
-        sentences, in order and in pieces of any size. The reading thread calls them: they must not
-        wait, nor use the device. An exception of theirs closes the device.
+        `capacity`: the number of packets that can wait to be read; beyond that, the oldest are
+        dropped and counted. `on_bytes` gets all received bytes, `on_skipped` the bytes between
+        packets, such as NMEA sentences, in order and in pieces of any size. The reading thread
+        calls them: they must not wait or use the device. If they raise an exception, the device is
+        closed.
         """
         self._talk = Conversation(timeout, capacity, on_skipped)
         self._on_bytes = on_bytes
@@ -83,7 +84,7 @@ class Device:
         self.close()
 
     def close(self) -> None:
-        """Closes the port. Those who wait get PortClosed; iterations end."""
+        """Closes the port. Waiting callers get PortClosed; iterations end."""
         with self._lock:
             self._closes += 1
             self._closed = True
@@ -93,10 +94,10 @@ class Device:
         self._reader.stop()
 
     def reopen(self, timeout: float = 10.0) -> None:
-        """Opens the port again, after it was lost or closed; for so many seconds, until it is back.
+        """Opens the port again after it was lost or closed, trying for `timeout` seconds.
 
-        Commands that wait end without an answer; data that have come are kept. Raises OSError if it
-        is not back in time, ValueError if `open_port` has not opened it.
+        Waiting commands end without an answer; data already received is kept. Raises OSError if it
+        is not available in time, ValueError if `open_port` has not opened it.
         """
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
@@ -131,22 +132,22 @@ class Device:
 
     @property
     def closed(self) -> bool:
-        """Is the port closed or gone? Data that have come can still be taken."""
+        """Is the port closed or lost? Data already received can still be read."""
         return self._end is not None
 
     @property
     def dropped(self) -> int:
-        """Packets that nobody has taken in time."""
+        """The number of packets dropped because they were not read in time."""
         return self._talk.dropped
 
     @property
     def skipped(self) -> int:
-        """Bytes that belong to no packet."""
+        """The number of bytes that are not part of a packet."""
         return self._talk.skipped
 
     @property
     def waiting(self) -> int:
-        """Packets that can be taken without waiting."""
+        """The number of packets that can be read without waiting."""
         return len(self._talk.arrivals)
 
     @property
@@ -159,8 +160,8 @@ class Device:
     def request(self, command: Command[R], timeout: float | None = None) -> R:
         """Sends a command, waits for the answer and returns the response, or None if it has none.
 
-        `timeout`: seconds for this one. Raises Refused, NoAnswer, MissingResponse if the device has
-        acknowledged without a response, DecodeError if the response cannot be decoded, PortClosed,
+        `timeout`: seconds for this one. Raises Refused; NoAnswer; MissingResponse if the device has
+        acknowledged without a response; DecodeError if the response cannot be decoded; PortClosed;
         and EncodeError, before anything is sent, if it does not fit into a packet.
         """
         (result,) = responses(self._exchange((command,), timeout))
@@ -192,13 +193,13 @@ class Device:
     def request_all(self, *commands: Command, timeout: float | None = None) -> tuple[Any, ...]:
         """Sends commands of one set in one packet and returns the response of each.
 
-        Raises the error of the first that has failed, once each has been answered or given up;
-        `outcomes` of Refused and NoAnswer says what became of the others.
+        Raises the error of the first command that has failed, once each has been answered or has
+        timed out; `outcomes` of Refused and NoAnswer has the outcomes of the others.
         """
         return responses(self._exchange(commands, timeout))
 
     def exchange(self, *commands: Command, timeout: float | None = None) -> list[Outcome | None]:
-        """Sends commands of one set in one packet and returns what became of each.
+        """Sends commands of one set in one packet and returns the outcome of each.
 
         None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
         """
@@ -207,7 +208,7 @@ class Device:
     def send(self, *commands: Command) -> None:
         """Sends commands of one set in one packet, and does not wait for answers.
 
-        Answers, if they come, are among the data. Raises PortClosed and EncodeError.
+        Answers, if any arrive, are treated as data. Raises PortClosed and EncodeError.
         """
         self._send(commands, None, wait=False)
 
@@ -223,7 +224,7 @@ class Device:
         return tickets
 
     def _ask_for_settings(self, commands: Sequence[Command]) -> None:
-        """Some commands are acknowledged or not by a setting of the device."""
+        """Whether some commands are acknowledged depends on a setting of the device."""
         for command in commands:
             question = self._talk.question(command)
             if question is not None:
@@ -268,17 +269,18 @@ class Device:
     # ----------------------------------------------------------------- data
 
     def __iter__(self) -> Iterator[Arrival]:
-        """The packets of data as they come. Ends when the device is closed by `close`.
+        """The data packets as they arrive. Ends when `close` closes the device.
 
-        Raises PortClosed when the port is gone, after everything that has come.
+        Raises PortClosed when the port is lost, after all data received before.
         """
         while (arrival := self._next(None)) is not None:
             yield arrival
 
     def next(self, timeout: float | None = None) -> Arrival | None:
-        """The next packet of data; None if none comes within so many seconds, or the device is closed.
+        """The next data packet; None if none arrives within `timeout` seconds, or if the device is
+        closed.
 
-        Raises PortClosed when the port is gone, after everything that has come.
+        Raises PortClosed when the port is lost, after all data received before.
         """
         return self._next(None if timeout is None else time.monotonic() + timeout)
 
@@ -298,9 +300,10 @@ class Device:
             return arrivals.popleft()
 
     def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]:
-        """The fields of these types as they come, each with its time of arrival (`Arrival.time`).
+        """The fields of these types as they arrive, each with its time of arrival (`Arrival.time`).
 
-        In a packet, they come in the order of `kinds`. Fields that cannot be decoded raise DecodeError.
+        Those of one packet are in the order of `kinds`. Fields that cannot be decoded raise
+        DecodeError.
         """
         for arrival in self:
             for kind in kinds:
@@ -309,20 +312,21 @@ class Device:
                     yield arrival.time, field
 
     def clear(self) -> None:
-        """Forgets the data that wait to be taken, which are not counted as dropped."""
+        """Discards the data that has not been read yet, without counting it as dropped."""
         with self._lock:
             self._talk.arrivals.clear()
 
     # ----------------------------------------------------------------- baud rate
 
     def change_baud(self, command: Command, attempts: int = 3) -> int:
-        """Sends a command that changes the baud rate (it has `baud`), and lets the port follow.
+        """Sends a command that changes the baud rate (it has `baud`), and changes the rate of the
+        port.
 
-        The device answers at the old rate and changes 250 ms later; some answer at either. Set it to
-        idle before. Returns the rate of the port, at which the device has answered a ping: the old
-        one if the command is for another port of the device. Raises ValueError if the command or the
-        port has no rate, Refused, and NoAnswer if the device answers at neither; then the port
-        has the old one.
+        The device answers at the old rate and changes 250 ms later; some answer at either. Set it
+        to idle first. Returns the rate of the port, at which the device has answered a ping: the
+        old one if the command is for another port of the device. Raises ValueError if the command
+        or the port has no rate; Refused; and NoAnswer if the device answers at neither rate, in
+        which case the port keeps the old one.
         """
         new, old = getattr(command, "baud", None), self.baud
         if new is None or old is None:
@@ -378,7 +382,7 @@ class Device:
 
 
 def lost(error: BaseException | None) -> PortClosed:
-    """Why nothing more comes."""
+    """The reason why no more data arrives."""
     found = PortClosed(f"the port is gone: {error}")
     found.__cause__ = error
     return found
@@ -395,9 +399,10 @@ def open_port(
 ) -> Device:
     """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
-    `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All but
-    TCP connections need pyserial, which the extra `serial` brings. Raises OSError if the port cannot
-    be opened, NoDevice if no baud rate is found, ValueError if the URL is wrong, and MissingExtra.
+    `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All except
+    TCP connections need pyserial, which the extra `serial` installs. Raises OSError if the port
+    cannot be opened, NoDevice if no baud rate is found, ValueError if the URL is wrong, and
+    MissingExtra.
     """
     found = connect(url, baud)
     device = Device(

@@ -28,10 +28,10 @@ class DecodeError(MipError):
 
 
 class Truncated(DecodeError):
-    """The data end too early."""
+    """The data ends too early."""
 
     def __init__(self, wanted: int, left: int) -> None:
-        super().__init__("truncated", f"{wanted} bytes wanted, {left} left")
+        super().__init__("truncated", f"{wanted} bytes needed, {left} left")
 
 
 class PacketError(DecodeError):
@@ -39,7 +39,7 @@ class PacketError(DecodeError):
 
 
 class MissingResponse(MipError):
-    """A command that asks for a response was acknowledged without one."""
+    """A command that requests a response was acknowledged without one."""
 
     def __init__(self, command: str) -> None:
         super().__init__("missing_response", f"{command} was acknowledged without its response")
@@ -55,7 +55,8 @@ class EncodeError(MipError):
 
 
 class UnknownName(MipError, LookupError):
-    """A name of nothing (`unknown_name`), or of several things (`ambiguous`); `near` has those that may be meant."""
+    """A name that is unknown (`unknown_name`) or has several meanings (`ambiguous`); `near` has the
+    names that may be meant."""
 
     def __init__(self, kind: str, detail: str, near: tuple[str, ...] = ()) -> None:
         super().__init__(kind, detail)
@@ -66,9 +67,9 @@ class UnknownName(MipError, LookupError):
 
 
 class Refused(MipError):
-    """The device has refused a command: `code` says why.
+    """The device has refused a command; `code` is the reason.
 
-    `outcomes`: what became of each command of the same packet, as `Device.exchange` gives it.
+    `outcomes`: the outcome of each command of the same packet, as `Device.exchange` returns it.
     """
 
     def __init__(
@@ -81,7 +82,7 @@ class Refused(MipError):
 
 
 class NoAnswer(MipError, TimeoutError):
-    """The device has not answered a command in time; perhaps it has carried it out."""
+    """The device has not answered a command in time; it may have carried it out."""
 
     def __init__(self, command: Command, outcomes: Sequence[Outcome | None] = ()) -> None:
         super().__init__("no_answer", f"the device has not answered {command.NAME} in time")
@@ -91,7 +92,7 @@ class NoAnswer(MipError, TimeoutError):
 
 
 class PortClosed(MipError, ConnectionError):
-    """The port of a device is closed, or its other end is gone."""
+    """The port of a device is closed, or the other end has closed it."""
 
     def __init__(self, why: str) -> None:
         super().__init__("closed", why)
@@ -107,7 +108,7 @@ class NoDevice(MipError, ConnectionError):
 
 
 class MissingExtra(ImportError):
-    """A package that only an extra of this one brings is not installed."""
+    """A package that belongs to an extra of this package is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
         super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'", name=package)
@@ -115,7 +116,7 @@ class MissingExtra(ImportError):
 
 
 class Failure(Exception):
-    """What a command line says in one line before it gives up: what is wrong, and the remedy."""
+    """The message of a command line that ends it: the problem and the remedy, in one line."""
 
     def __init__(self, text: str, status: int = 1) -> None:
         super().__init__(text)

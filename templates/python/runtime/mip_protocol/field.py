@@ -23,7 +23,7 @@ H = TypeVar("H", bound="Shared")
 
 
 class _OfDataclass:
-    """What `dataclasses` asks a class for, made when it asks."""
+    """What `dataclasses` requires of a class, created on demand."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = name
@@ -49,7 +49,8 @@ def _as_dataclass(kind: Any) -> type:
     )
 
 
-# An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for.
+# An attribute that holds a vector. Decoders store the numbers; the vector is created when it is
+# first read.
 class VectorMember:
     __slots__ = ("_get", "_kinds", "_set", "_slot")
 
@@ -78,14 +79,14 @@ class VectorMember:
 
     @property
     def __doc__(self) -> str:  # type: ignore[override]
-        """What `help()` shows."""
+        """The text that `help()` shows."""
         return help_of(self._slot.__objclass__, self._slot.__name__)
 
 
 class Structure(Described):
     """A group of named values: a field, or a part of one.
 
-    It is what a data class is, too: `dataclasses.replace`, `fields` and `asdict` know it.
+    It also works as a data class, with `dataclasses.replace`, `fields` and `asdict`.
     """
 
     __slots__ = ()
@@ -93,7 +94,7 @@ class Structure(Described):
     #: The names of its values, in order on the wire.
     _MEMBERS: ClassVar[tuple[str, ...]] = ()
 
-    #: Those that are vectors, and of what kinds.
+    #: Those that are vectors, and their kinds.
     _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
 
     if TYPE_CHECKING:
@@ -151,7 +152,7 @@ class Field(Structure):
 
     @property
     def packet_set(self) -> int | None:
-        """The descriptor set of the packet that it came in; None if that is not known."""
+        """The descriptor set of the packet that contained it; None if that is not known."""
         return self.SET
 
     def encode(self) -> bytes:
@@ -171,7 +172,7 @@ class Field(Structure):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Looks at what tells the layouts of one descriptor apart: constants and size."""
+        """Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size."""
         return True
 
     def packet(self) -> Packet:
@@ -199,7 +200,7 @@ class Field(Structure):
 
 
 class Shared(Field):
-    """Is valid in packets of several sets."""
+    """A field that is valid in packets of several sets."""
 
     __slots__ = ("_packet_set",)
 
@@ -207,7 +208,8 @@ class Shared(Field):
 
     @property
     def packet_set(self) -> int | None:
-        """The descriptor set of the packet that it came in; None if it was not in one. No part of its value."""
+        """The descriptor set of the packet that contained it; None if there was none. It is not
+        part of the value."""
         return getattr(self, "_packet_set", None)
 
     @classmethod
@@ -224,7 +226,7 @@ class Shared(Field):
 
 
 class Response(Field):
-    """Follows the acknowledge of a command."""
+    """A field that follows the acknowledge of a command."""
 
     __slots__ = ()
 
@@ -244,9 +246,9 @@ else:
 
 
 class Command(Field, Generic[R]):
-    """Is acknowledged by the device, with a response or without.
+    """A field that the device acknowledges, with or without a response.
 
-    `Command[R]` is one that gets a response of type R, or None.
+    `Command[R]` has a response of type R, or None.
     """
 
     __slots__ = ()
@@ -266,7 +268,7 @@ class Command(Field, Generic[R]):
 
     @property
     def expected(self) -> ResponseClasses:
-        """The response that it asks for, with these values: devices may have different layouts of it."""
+        """The response that it requests with these values: devices may have different layouts of it."""
         return self.RESPONSES
 
 

@@ -1,4 +1,4 @@
-"""Finds fields, sets and devices by name, and says the nearest names of those that there are not."""
+"""Finds fields, sets and devices by name, and gives the nearest names for unknown ones."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def field(name: str) -> type[Field]:
 
 
 def _named(name: str) -> tuple[str, ...]:
-    """The full names of the fields that are called so."""
+    """The full names of the fields with this name."""
     if name in FIELDS:
         return (name,)
     numbers = re.fullmatch(r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", name.strip(), re.I)
@@ -64,7 +64,7 @@ def _key(words: list[str]) -> str:
 
 @cache
 def _keys() -> dict[str, tuple[str, ...]]:
-    """What a field may be called, without what does not matter -> full names."""
+    """Names of fields, without their insignificant parts -> full names."""
     found: dict[str, dict[str, None]] = {}
     for full, (_, _, _, title, also) in FIELDS.items():
         set, _, own = full.partition(".")
@@ -113,7 +113,7 @@ def device_id(name: str) -> str:
 def unknown(
     name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
 ) -> UnknownName:
-    """The error for a name that is not known: it says the nearest ones."""
+    """The error for an unknown name, with the nearest names."""
     from difflib import get_close_matches
 
     known = list(known)

@@ -34,7 +34,8 @@ class RawField(NamedTuple):
 
     @property
     def error(self) -> DecodeError | None:
-        """Why it was not decoded; None if nothing was wrong, or its descriptor is unknown."""
+        """The reason why it was not decoded; None if there was no error, or if its descriptor is
+        unknown."""
         return None
 
 
@@ -117,7 +118,7 @@ class Packet:
 
     @property
     def malformed(self) -> PacketError | None:
-        """What is wrong with the field behind `fields`; None if these are all."""
+        """The error of the field after `fields`; None if these are all."""
         return self._walk()[1]
 
     def _walk(self) -> tuple[tuple[RawField, ...], PacketError | None]:

@@ -16,13 +16,13 @@ from .errors import MissingExtra
 
 #: Seconds for which a read waits for the first byte, at ports that this module opens.
 READ_TIMEOUT = 0.05
-#: Seconds after which a write gives up: the other end takes nothing.
+#: Seconds after which a write fails because the other end accepts no data.
 WRITE_TIMEOUT = 5.0
-#: Seconds until a TCP connection is given up.
+#: Seconds until an attempt to connect by TCP fails.
 CONNECT_TIMEOUT = 10.0
-#: Bytes that are read at once.
+#: Bytes read at once.
 AT_ONCE = 4096
-#: Seconds until a port that returns at once, with nothing, is read again.
+#: Seconds until a port that returns immediately without data is read again.
 PAUSE = 0.002
 
 _HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
@@ -35,11 +35,11 @@ _Selector: type[selectors.BaseSelector] = getattr(
 
 
 class Port(Protocol):
-    """What a device is reached through: a serial port of pyserial, or an object of your own.
+    """The connection to a device: a serial port of pyserial, or your own object.
 
-    `read` returns up to `size` bytes that have come, after waiting for as long as it likes, or nothing.
-    An exception of either says that the port is gone. If there are `in_waiting`, `cancel_read` and
-    `baudrate`, as pyserial has them, they are used.
+    `read` returns up to `size` received bytes, or none; it may wait for any time. An exception of
+    either means that the port is lost. `in_waiting`, `cancel_read` and `baudrate` are used if they
+    exist, as in pyserial.
     """
 
     def read(self, size: int, /) -> bytes | None: ...
@@ -54,7 +54,8 @@ class SocketPort:
         connection.setblocking(True)
 
     def read(self, size: int) -> bytes:
-        """What has come; nothing after a moment. Raises ConnectionError when the other end is gone."""
+        """The received bytes; none after a moment. Raises ConnectionError when the other end has
+        closed the connection."""
         if not self._ready(selectors.EVENT_READ, READ_TIMEOUT):
             return b""
         data = self._socket.recv(size)
@@ -77,7 +78,8 @@ class SocketPort:
 
 
 def open_url(url: str, baud: int) -> Any:
-    """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial knows.
+    """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial
+    supports.
 
     Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
     pyserial, which TCP connections do not need.
@@ -109,21 +111,23 @@ def address(url: str) -> tuple[str, int] | None:
     except ValueError:
         number = None
     if not parts.hostname or not number:
-        raise ValueError(f"{url!r} is no TCP port; write HOST:PORT")
+        raise ValueError(f"{url!r} is not a TCP port; write HOST:PORT")
     return parts.hostname, number
 
 
 def as_port(port: Any) -> Any:
-    """A port that was given: sockets become one, other objects must be one. Raises TypeError."""
+    """The port for an argument: sockets are wrapped, other objects must be ports. Raises
+    TypeError."""
     if isinstance(port, socket.socket):
         return SocketPort(port)
     if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
-        raise TypeError(f"{port!r} is no port: it needs `read` and `write`")
+        raise TypeError(f"{port!r} is not a port: it needs `read` and `write`")
     return port
 
 
 def read_some(port: Any) -> bytes:
-    """What has come, as soon as something has: one byte less would be late, one more would wait."""
+    """The received bytes as soon as there are any: reading one byte less would be late, one more
+    would wait."""
     waiting = getattr(port, "in_waiting", None)
     if waiting is not None:
         return port.read(min(max(1, waiting), AT_ONCE)) or b""
@@ -132,7 +136,7 @@ def read_some(port: Any) -> bytes:
 
 
 def write_all(port: Any, data: bytes) -> None:
-    """Writes all of it; a port may take less at once."""
+    """Writes all bytes; a port may accept fewer at once."""
     while data:
         count = port.write(data)
         if count is None:
@@ -141,10 +145,10 @@ def write_all(port: Any, data: bytes) -> None:
 
 
 class Reader(threading.Thread):
-    """Reads a port until it is stopped or the port is gone.
+    """Reads a port until it is stopped or the port is lost.
 
-    `on_data(data, monotonic, clock)` gets what comes and when; with no data, nothing has come for a
-    moment. `on_end(error)` is called last; the error is None if it was stopped.
+    `on_data(data, monotonic, clock)` gets the received bytes and their time; without bytes, none
+    have arrived for a moment. `on_end(error)` is called last; the error is None if it was stopped.
     """
 
     def __init__(
@@ -174,7 +178,7 @@ class Reader(threading.Thread):
         self._on_end(error)
 
     def stop(self) -> None:
-        """Ends the thread and closes the port, whatever the thread waits for."""
+        """Ends the thread and closes the port, whatever the thread is waiting for."""
         self._stopped.set()
         here = threading.current_thread() is self
         if not here:

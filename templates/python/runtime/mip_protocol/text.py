@@ -14,7 +14,7 @@ from .described import Described
 from .errors import EncodeError
 from .parameter import Parameter
 
-#: What the members of a structure have otherwise, by attribute.
+#: What differs for the members of a structure, by attribute.
 Inside = dict[str, dict[str, Any]]
 
 
@@ -129,7 +129,7 @@ def _plain(
 
 
 def _case(p: Parameter, holder: Described) -> Parameter | None:
-    """The alternative that a union has there."""
+    """The alternative of a union that is present."""
     return p.cases.get(getattr(holder, p.tag))
 
 
@@ -232,7 +232,7 @@ def _structure(value: Any, device: str | None, inside: Inside | None) -> str:
 
 
 def _elements(p: Parameter, value: Any, many: bool) -> str:
-    """A vector; the elements of a matrix have no names that help."""
+    """A vector; the names of the elements of a matrix are of no use."""
     if not _several(value):
         return repr(value)
     shown = [_word(p, x) for x in value]

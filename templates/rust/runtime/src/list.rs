@@ -17,8 +17,8 @@ use crate::error::{DecodeErrorKind, EncodeErrorKind};
 /// assert_eq!(list, [1, 2, 3, 4]);
 /// ```
 ///
-/// Slices and iterators may have more items than fit. Nothing panics then: the list holds the first
-/// `N`, knows that it [overflowed](List::overflowed), and a field that holds it is not encoded
+/// Slices and iterators may have more items than fit. This does not panic: the list holds the first
+/// `N`, is marked as [overflowed](List::overflowed), and a field that contains it is not encoded
 /// ([`EncodeErrorKind::Count`]). [`List::from_slice`] and [`List::push`] fail at once.
 ///
 /// ```
@@ -34,7 +34,7 @@ pub struct List<T, const N: usize> {
 
 /// What a [`List`] or an array can hold: all numbers, enumerations, bitfields and structures.
 pub trait Item: Sized {
-    /// What is in the places that hold nothing yet.
+    /// The value of places that are not used yet.
     const BLANK: Self;
 }
 
@@ -57,7 +57,7 @@ impl<T> Item for Option<T> {
 pub struct CapacityError {
     /// The number of items.
     pub need: usize,
-    /// How many the list can hold.
+    /// The number of items that the list can hold.
     pub got: usize,
 }
 
@@ -115,7 +115,7 @@ impl<T, const N: usize> List<T, N> {
         self.given = 0;
     }
 
-    /// Has it been given more items than it can hold? Then it holds the first ones.
+    /// Was it given more items than it can hold? Then it holds the first ones.
     #[must_use]
     pub const fn overflowed(&self) -> bool {
         self.given > N
@@ -183,7 +183,7 @@ impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
     }
 }
 
-/// A list that overflowed equals none that did not.
+/// A list that overflowed is not equal to one that did not.
 impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.given == other.given && self.as_slice() == other.as_slice()
@@ -259,7 +259,7 @@ impl<T, const N: usize> Extend<T> for List<T, N> {
         for item in items {
             if self.push(item).is_err() {
                 self.given = self.given.saturating_add(1);
-                return; // the others need not be asked for: it is known to be too many
+                return; // the rest need not be read: there are known to be too many
             }
         }
     }

@@ -6,10 +6,9 @@ use core::fmt;
 
 use crate::packet::{Packet, PacketBuilder, PacketError};
 
-/// A packet with memory of its own, as long as its bytes; to keep packets, or to send them to
-/// another thread.
+/// A packet that owns its bytes; to keep packets, or to send them to another thread.
 ///
-/// What is a packet already is not checked again:
+/// A packet is not checked again:
 ///
 /// ```
 /// use mip_protocol::{packets, Packet, PacketBuf};
@@ -31,7 +30,7 @@ impl PacketBuf {
         &self.bytes
     }
 
-    /// The packet, to look into it.
+    /// The packet, to read it.
     #[must_use]
     pub fn packet(&self) -> Packet<'_> {
         Packet::trusted(&self.bytes)
@@ -74,7 +73,7 @@ impl From<PacketBuf> for Vec<u8> {
     }
 }
 
-/// Checks the bytes, and keeps them where they are.
+/// Checks the bytes, and keeps them in place.
 impl TryFrom<Vec<u8>> for PacketBuf {
     type Error = PacketError;
 

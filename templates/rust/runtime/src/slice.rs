@@ -1,11 +1,11 @@
-//! Finds packets in bytes that are all there.
+//! Finds packets in a slice of bytes.
 
 use core::iter::FusedIterator;
 
 use crate::packet::Packet;
 use crate::parser::{behind, judge, noise, Candidate};
 
-/// The packets in these bytes, for instance of a log that was read as a whole.
+/// The packets in these bytes, for example a log that was read as a whole.
 ///
 /// They are those that a [`Parser`](crate::Parser) would find, with a
 /// [`flush`](crate::Parser::flush) at the end, and borrow the bytes; nothing is copied.
@@ -25,7 +25,7 @@ pub const fn packets(bytes: &[u8]) -> Packets<'_> {
 
 /// The packets in a slice; from [`packets`].
 #[derive(Clone, Debug)]
-#[must_use = "iterators do nothing unless they are asked"]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Packets<'a> {
     rest: &'a [u8],
     /// What begins with the first candidate that the end cuts, unless a packet was found behind it.
@@ -34,14 +34,13 @@ pub struct Packets<'a> {
 }
 
 impl<'a> Packets<'a> {
-    /// The number of bytes so far that belong to no packet, without those of the remainder.
+    /// The number of bytes so far that are not part of a packet, without those of the remainder.
     #[must_use]
     pub const fn skipped(&self) -> usize {
         self.skipped
     }
 
-    /// The bytes that have not been looked at yet; at the end, those of a packet of which only the
-    /// first part is there.
+    /// The bytes that have not been searched yet; at the end, those of an incomplete packet.
     #[must_use]
     pub const fn remainder(&self) -> &'a [u8] {
         if self.open.is_empty() {

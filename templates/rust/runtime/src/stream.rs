@@ -43,27 +43,27 @@ impl<R> PacketReader<R> {
         &self.source
     }
 
-    /// The source, for instance to send commands to a port.
+    /// The source, for example to send commands to a port.
     pub fn get_mut(&mut self) -> &mut R {
         &mut self.source
     }
 
-    /// The source; what was read and not returned is lost.
+    /// The source; bytes read but not returned are lost.
     pub fn into_inner(self) -> R {
         self.source
     }
 }
 
 impl<R: Read> PacketReader<R> {
-    /// The next packet, or `None` if the source gives nothing more: at the end of a file, or after
+    /// The next packet, or `None` if the source has no more bytes: at the end of a file, or after
     /// the time-out of some ports.
     ///
-    /// The part of a packet that has come is kept in either case, and after an error too; call it
-    /// again when there may be more.
+    /// An incomplete packet is kept in either case, and also after an error; call it again when
+    /// there may be more.
     ///
     /// # Errors
     ///
-    /// The errors of the source, but [`Interrupted`](io::ErrorKind::Interrupted).
+    /// The errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();

@@ -8,7 +8,7 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** The first response that a command asks for with these values; NULL if it asks for none. */
+/** The first response that a command with these values requests; NULL if it requests none. */
 static const struct mip_response *wanted(const struct mip_command *command, const void *value) {
     const struct mip_response *r = command->responses;
     while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(value)) {
@@ -17,7 +17,7 @@ static const struct mip_response *wanted(const struct mip_command *command, cons
     return r != NULL && r->codec != NULL ? r : NULL;
 }
 
-/** Those that it asks for under the same condition: the layouts that the response may have. */
+/** Those that it requests under the same condition: the layouts that the response may have. */
 static const struct mip_response *another(const struct mip_response *r) {
     const struct mip_response *next = r + 1;
     while (next->codec != NULL && next->asked != r->asked) {
@@ -31,7 +31,7 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          const void *value, uint32_t now) {
     const mip_error error = mip_encode(command->codec, value, packet);
     mip_client_cancel(client, request);     /* it could still wait for an earlier answer */
-    request->state = MIP_REQUEST_CANCELLED; /* so that nobody waits for it if there is an error */
+    request->state = MIP_REQUEST_CANCELLED; /* so that it does not wait if there is an error */
     request->code = 0;
     request->responded = false;
     request->error = MIP_OK;
@@ -104,7 +104,7 @@ static bool may_answer(const struct mip_command *command, const struct mip_field
     return false;
 }
 
-/** Decodes the response that a request asks for. False if the field is not that response. */
+/** Decodes the response that a request expects. False if the field is not that response. */
 static bool respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
     while (r != NULL &&
@@ -135,9 +135,9 @@ static bool respond(struct mip_request *request, const struct mip_field *field) 
 
 /**
  * Finds the request that an acknowledge field and the field after it (NULL if there is none)
- * answer: the oldest one of that command. A response never answers a request that does not ask for
+ * answer: the oldest one of that command. A response never answers a request that does not expect
  * it, because it may be the late answer to another one; an acknowledge without a response first
- * answers requests that ask for none. `state` becomes the new state of the request.
+ * answers requests that expect none. `state` becomes the new state of the request.
  */
 static struct mip_request *find(const struct mip_client *client, uint8_t set,
                                 const struct mip_protocol_acknowledge *acknowledge,
@@ -220,7 +220,7 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
         late = late || is_late(r, now);
     }
-    /* Noise may hide an answer; what has come of the next packet stays. */
+    /* Noise may hide an answer; the part of the next packet that has arrived is kept. */
     if (parser != NULL && (late ? mip_parser_look_behind(parser, packet)
                                 : mip_parser_next(parser, &nothing, &none, packet))) {
         return true;

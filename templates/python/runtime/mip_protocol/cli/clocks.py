@@ -52,7 +52,7 @@ def headers(data: bytes) -> bytes:
 
 
 def moments(packet: Packet) -> dict[str, int | None]:
-    """The times that a packet says, in nanoseconds, by their clocks; None if they are not valid.
+    """The times in a packet, in nanoseconds, by their clocks; None if they are not valid.
 
     They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
     one clock, that with the lowest descriptor counts.
@@ -96,7 +96,7 @@ def _source(set: int, descriptor: int) -> _Source | None:
 
 
 def _size(kind: type[Field]) -> int:
-    """How many bytes of zeros it takes to decode one."""
+    """How many bytes of zeros are needed to decode one."""
     for size in range(254):
         try:
             kind.decode(bytes(size))

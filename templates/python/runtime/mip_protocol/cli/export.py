@@ -79,7 +79,7 @@ def run(options: argparse.Namespace) -> int:
     if options.split and options.output == "-":
         raise Failure("--split writes several files; name one with -o, and fields are added to it")
     if options.split and options.align:
-        raise Failure("--split and --align exclude each other; leave one out")
+        raise Failure("--split and --align cannot be combined; leave one out")
     selection = Selection([*options.names, *options.only], options.without)
     aligned = _one_type(options.align) if options.align else None
     module: Any = __import__(f"{__package__}.{FORMATS[form]}", fromlist=["write"])

@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help="fields, or FIELD.PARAMETER, FIELD.PARAMETER.ELEMENT",
     )
-    add("-o", "--output", metavar="FILE", help="a picture; without it, a window opens")
+    add("-o", "--output", metavar="FILE", help="an image; without it, a window opens")
     add("--together", action="store_true", help="draw all in one diagram")
     add(
         "--invalid",
@@ -105,7 +105,7 @@ def _matplotlib(window: bool) -> Any:
     import matplotlib.pyplot as pyplot
 
     if window and matplotlib.get_backend().lower() == "agg":
-        raise Failure("there is no screen for a window; write a picture with -o FILE.png")
+        raise Failure("there is no screen for a window; write an image with -o FILE.png")
     return pyplot
 
 
@@ -127,7 +127,7 @@ def _curves(name: str) -> list[Curve]:
     """A field, one of its parameters, or an element of that."""
     kind, path = _split(name)
     if not issubclass(kind, Data):
-        raise Failure(f"{kind.NAME} is no data field; `mip info` lists what a log has")
+        raise Failure(f"{kind.NAME} is not a data field; `mip info` lists the fields of a log")
     numbers = [p for p in info(kind).members if _drawable(p)]
     if not path:
         plain = [p for p in numbers if p.type is None]  # flags and states only if they are named
@@ -160,7 +160,7 @@ def _split(name: str) -> tuple[type[Field], list[str]]:
             return field(".".join(parts[:count])), parts[count:]
         except (Failure, UnknownName) as error:
             last = last or (error if isinstance(error, Failure) else None)
-    raise last or Failure(f"'{name}' is no field")
+    raise last or Failure(f"'{name}' is not a field")
 
 
 def draw(

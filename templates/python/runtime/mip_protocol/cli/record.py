@@ -18,8 +18,9 @@ examples:
   mip record localhost:5000 -o log.bin --duration 60
   mip record /dev/ttyACM0 -o - | mip dump -
 
-Every byte is written as it comes, NMEA sentences and damaged packets too; `mip cut` removes them.
-The file has its name when the recording ends, by Ctrl-C too, and FILE.NUMBER.part until then.
+Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut`
+removes them. The file gets its name when the recording ends, also by Ctrl-C; until then it
+is FILE.NUMBER.part.
 """
 
 
@@ -67,7 +68,7 @@ class _Recording:
         self._shown = self._start = time.monotonic()
 
     def write(self, out: IO[bytes]) -> None:
-        """Writes what comes until there is enough of it."""
+        """Writes the received bytes until there are enough."""
         options = self._options
         for data in ports.received(options.port, options, options.duration):
             keep = len(data)

@@ -1,4 +1,4 @@
-"""Responses: which one a command is answered with, and what it holds."""
+"""Responses: which one answers a command, and its contents."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ EMPTY = FieldValues()
 
 
 def response(device: VirtualDevice, command: Command) -> Response | None:
-    """The response to a command that is carried out; None if it asks for none."""
+    """The response to a command that is carried out; None if it requests none."""
     kind = _layout(device, command)
     if kind is None:
         return None
@@ -39,7 +39,7 @@ def response(device: VirtualDevice, command: Command) -> Response | None:
 
 
 def _layout(device: VirtualDevice, command: Command) -> Any:
-    """Of several layouts, the one of the device; else the first that is not of certain devices alone."""
+    """Of several layouts, that of the device; else the first that is not limited to certain devices."""
     layouts = command.expected
     of = COMMANDS.get(command.NAME, NOTHING).answers
     own = [kind for kind in layouts if device.profile.id in of.get(kind.NAME.partition(".")[2], ())]
@@ -95,7 +95,7 @@ def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str,
 
 
 def quantity(device: VirtualDevice, name: str, context: dict[str, Any]) -> Any:
-    """What the device knows of itself, else what the world has."""
+    """The value from the device itself, else from the world."""
     own = knowledge.QUANTITIES.get(name)
     return device.world.quantity(name, context) if own is None else own(device, context)
 

@@ -1,4 +1,4 @@
-"""Carries out the commands of a packet, one after the other."""
+"""Carries out the commands of a packet, one after another."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def carry_out(
 
 
 def _known(device: VirtualDevice, code: int) -> int:
-    """Devices that have no code for an unknown set say that they do not know the command."""
+    """Devices that have no code for an unknown set answer that they do not know the command."""
     codes = device.profile.ack_codes
     return UNKNOWN_COMMAND if code == UNKNOWN_SET and codes and code not in codes else code
 
@@ -133,7 +133,7 @@ def _kept(device: VirtualDevice, command: Command, function: int) -> Outcome:
 
 
 def _silenced(device: VirtualDevice, command: Command) -> bool:
-    """Does the setting of another command keep this one from being acknowledged?"""
+    """Does the setting of another command suppress the acknowledge of this one?"""
     for name, attribute, value in SILENCED.get(command.NAME, ()):
         instance = [0] * len(keys(command_type(name)))
         if getattr(device.settings.current(asking(name, instance)), attribute) == value:

@@ -11,7 +11,7 @@ from .nmea import checksum
 
 
 def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
-    """A packet that is one no longer, and what happened to it."""
+    """A packet that is no longer valid, and what happened to it."""
     for _ in range(100):
         size = random.randint(1, min(most, len(packet)))
         at = random.randrange(len(packet) - size + 1)
@@ -44,7 +44,8 @@ def packets(stream: bytes) -> list[bytes]:
 
 
 def noise(most: int, random: Random) -> bytes:
-    """Random bytes, with what packets begin with more often than by chance; no packet is in them."""
+    """Random bytes, in which the first bytes of packets are more frequent than by chance; they
+    contain no packet."""
     while True:
         made = bytearray(random.randbytes(random.randint(1, most)))
         if random.random() < 0.25:
@@ -76,7 +77,7 @@ def nmea(random: Random) -> bytes:
 
 
 def unknown_packet(random: Random) -> bytes:
-    """A right packet of a descriptor set that the specification does not have."""
+    """A correct packet of a descriptor set that the specification does not have."""
     number = random.choice([n for n in range(0x80, 0xFF) if n not in MODULES])
     builder = PacketBuilder(number)
     for _ in range(random.randint(1, 3)):

@@ -1,4 +1,4 @@
-"""What the specification says of simulated devices; `_facts` has the tables."""
+"""The facts of the specification about simulated devices; `_facts` has the tables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class FieldValues:
 
 @dataclass(frozen=True)
 class Behavior:
-    """What a command does beside keeping a setting, and how the setting is kept."""
+    """What a command does besides storing a setting, and how the setting is stored."""
 
     effect: str = ""
     arguments: dict[str, str | int] = field(

@@ -1,4 +1,4 @@
-"""What is told of each injected fault."""
+"""The log of injected faults."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Injected:
     """The command whose answer is wrong, late or missing."""
 
     def as_json(self) -> str:
-        """One line, without what is not there; bytes are hexadecimal."""
+        """One line, without absent values; bytes are hexadecimal."""
         line: dict[str, Any] = {"time": self.now / 1e9, "kind": self.kind, "detail": self.detail}
         if self.packet is not None:
             line |= {"packet": self.packet.hex(), "damaged": self.damaged}

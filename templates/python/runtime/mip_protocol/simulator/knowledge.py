@@ -1,4 +1,4 @@
-"""What a device knows of itself: identity, descriptors, rates, events, pins. The world around it is in `world`."""
+"""The properties of a device: identity, descriptors, rates, events, pins. The world around it is in `world`."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Quantity = Callable[["VirtualDevice", Context], Any]
 
 
 def _padded(text: str) -> str:
-    """As devices pad the strings of their identity: in front."""
+    """The padding of identity strings, as on devices: in front."""
     return text[:16].rjust(16)
 
 
@@ -76,7 +76,8 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 
 
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """Type and state. A trigger in a test mode is active; others wait for a condition that does not come."""
+    """Type and state. A trigger in a test mode is active; others wait for a condition that never
+    becomes true."""
     modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
     found = []
     for instance in _asked(device, context, TRIGGERS):
@@ -126,7 +127,7 @@ def _port_protocols(way: int) -> Quantity:
 
 
 def _stream(name: str) -> Quantity:
-    """Is the data set streamed that an argument names?"""
+    """Is the data set in an argument streamed?"""
 
     def found(device: VirtualDevice, context: Context) -> bool:
         return formats.enabled(device, context[name]) and bool(

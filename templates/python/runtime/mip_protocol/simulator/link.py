@@ -1,4 +1,5 @@
-"""What connects a host with a port of the device: bytes in both directions, some of them later."""
+"""The connection of a host to a port of the device: bytes in both directions, some of them
+delayed."""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ class Link:
 
     @property
     def next(self) -> int | None:
-        """When bytes that are late come, or the device has to send something."""
+        """When delayed bytes arrive, or the device has to send something."""
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
 
     def hold(self, time: int, data: bytes) -> None:
@@ -83,7 +84,8 @@ class Link:
             self._ready += heapq.heappop(self._late)[2]
 
     def clear(self) -> None:
-        """The device forgets what it was about to send, as in a reset; what is on the way comes."""
+        """The device discards what it was about to send, as in a reset; bytes already on the way
+        arrive."""
         self._held.clear()
         self.parser = Parser()
 

@@ -1,4 +1,4 @@
-"""Encoders of data fields: what the specification says that they show, taken from the world."""
+"""Encoders of data fields, which show values of the world as the specification says."""
 
 from __future__ import annotations
 
@@ -218,7 +218,7 @@ def _constant(value: Value, type_: Any) -> Any:
 
 
 def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
-    """As many numbers as there are elements; one stands for all."""
+    """As many numbers as there are elements; a single one applies to all."""
     values = tuple(given) if isinstance(given, (tuple, list)) else (given,) * count
     kind = float if letter in "fd" else int
     return tuple(kind(x) for x in (values + (0,) * count)[:count])

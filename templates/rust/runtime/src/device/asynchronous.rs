@@ -1,4 +1,4 @@
-//! A device that is awaited.
+//! An asynchronous device.
 
 use core::future::{poll_fn, Future};
 use core::pin::{pin, Pin};
@@ -11,15 +11,15 @@ use crate::client::{Request, Ticket};
 use crate::packet::Packet;
 use crate::parser::Parser;
 
-/// A device at a port with the traits of `embedded-io-async`; [`Device`](super::Device) without
-/// waiting. No executor is needed but the one that the program has.
+/// A device at a port with the traits of `embedded-io-async`; the asynchronous form of
+/// [`Device`](super::Device). It needs no particular executor.
 ///
-/// The second argument makes a future that takes so many milliseconds:
+/// The second argument returns a future that waits for a number of milliseconds:
 /// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
-/// A future that is dropped gives up the command, not what the device does with it; an answer that
-/// comes later is among the data. Whether bytes are lost then depends on the port.
+/// Dropping a future cancels the command in the client, but not in the device; an answer that
+/// arrives later is treated as data. Whether bytes are lost depends on the port.
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
     port: P,
@@ -28,7 +28,7 @@ pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
 }
 
 impl<P, S> AsyncDevice<P, S> {
-    /// A device with the usual memory and time-out; nothing is sent or read.
+    /// A device with the default memory and time-out; nothing is sent or read.
     #[must_use]
     pub const fn new(port: P, sleep: S) -> Self {
         Self::with_client(port, sleep, Client::new())
@@ -36,23 +36,23 @@ impl<P, S> AsyncDevice<P, S> {
 }
 
 impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
-    /// With a client that has another time-out or size: `let device: AsyncDevice<_, _, 1, 600> = …`.
+    /// With a client of another time-out or size: `let device: AsyncDevice<_, _, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, sleep: S, client: Client<N>) -> Self {
         Self { port, sleep, core: Core::new(client) }
     }
 
-    /// The port, for instance to set its baud rate.
+    /// The port, for example to set its baud rate.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port
     }
 
-    /// The parser, which counts the bytes that belong to no packet.
+    /// The parser, which counts the bytes that are not part of a packet.
     pub const fn parser(&self) -> &Parser {
         &self.core.parser
     }
 
-    /// How many packets were dropped, because there was no room for them while a command waited.
+    /// The number of packets dropped because there was no room for them while a command waited.
     pub const fn dropped(&self) -> u32 {
         self.core.data.dropped
     }
@@ -68,7 +68,8 @@ where
     ///
     /// # Errors
     ///
-    /// If a response is not what these values ask for, nothing is sent ([`DeviceError::NoResponse`]).
+    /// If the command with these values does not request a response, nothing is sent
+    /// ([`DeviceError::NoResponse`]).
     pub async fn request<C: Command>(
         &mut self,
         command: &C,
@@ -81,7 +82,7 @@ where
 
     /// Sends a command, and waits until the device has carried it out. A response is ignored.
     ///
-    /// It does not wait for a command that devices do not answer.
+    /// It does not wait if devices do not answer the command.
     pub async fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
         self.carry_out(command).await.map(drop)
     }
@@ -96,8 +97,8 @@ where
 
     /// Sends several commands of one descriptor set in one packet, and waits for all answers.
     ///
-    /// The closure adds them, and returns what it likes, usually their tickets.
-    /// [`AsyncDevice::answer`] tells what became of each.
+    /// The closure adds them, and returns any value, usually their tickets. [`AsyncDevice::answer`]
+    /// returns the outcome of each.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
@@ -123,15 +124,16 @@ where
         Ok(tickets)
     }
 
-    /// The answer to one command of [`AsyncDevice::send_all`]; it is known until the next command.
+    /// The answer to one command of [`AsyncDevice::send_all`]; it is available until the next
+    /// command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
 
-    /// The next packet with data, or with whatever else answers no command; `None` if none comes
-    /// in so many milliseconds.
+    /// The next packet with data or other fields that do not answer a command; `None` if none
+    /// arrives within this number of milliseconds.
     ///
-    /// Continuation packets come one by one, as the device sends them.
+    /// Continuation packets are returned one by one, as the device sends them.
     pub async fn next_packet(
         &mut self,
         wait_ms: u32,
@@ -150,7 +152,7 @@ where
     }
 }
 
-/// Reads once; false if the time was over first.
+/// Reads once; false if the time ran out first.
 async fn read<P: Read, const N: usize, const Q: usize>(
     port: &mut P,
     core: &mut Core<N, Q>,

@@ -6,7 +6,7 @@ use super::Port;
 
 /// A port over a driver with the traits of `embedded-io`, and a clock.
 ///
-/// [`ReadReady`] is needed because [`Read`] waits until something comes, perhaps for ever.
+/// [`ReadReady`] is needed because [`Read`] waits until bytes arrive, possibly forever.
 #[derive(Clone, Debug)]
 pub struct EmbeddedPort<T, F> {
     io: T,
@@ -25,7 +25,7 @@ impl<T, F> EmbeddedPort<T, F> {
         &self.io
     }
 
-    /// The driver, for instance to set its baud rate.
+    /// The driver, for example to set its baud rate.
     pub fn get_mut(&mut self) -> &mut T {
         &mut self.io
     }

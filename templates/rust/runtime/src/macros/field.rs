@@ -1,7 +1,7 @@
 //! Fields: their sets and descriptors, and how commands are answered.
 
-/// Where a field belongs, perhaps in other sets too; the constants and the sizes that tell it from
-/// others with its descriptor; and of a response the commands that it answers.
+/// The sets that a field belongs to; the constants and the sizes that distinguish it from others
+/// with its descriptor; and the commands that a response answers.
 macro_rules! field {
     (
         $name:ident: $set:literal, $descriptor:literal, $text:literal;

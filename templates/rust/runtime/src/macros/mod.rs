@@ -1,4 +1,4 @@
-//! The macros that the generated types are written with.
+//! The macros used by the generated types.
 
 #![allow(unused_macros)] // few sets use all of them
 
@@ -16,7 +16,7 @@ macro_rules! spec_name {
 macro_rules! error {
     ($($name:ident)+) => {$(
         #[cfg(feature = "core-error")]
-        #[allow(clippy::incompatible_msrv)] // the feature demands a newer compiler
+        #[allow(clippy::incompatible_msrv)] // the feature requires a newer compiler
         impl core::error::Error for $name {}
         #[cfg(all(feature = "std", not(feature = "core-error")))]
         impl std::error::Error for $name {}

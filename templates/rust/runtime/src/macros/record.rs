@@ -53,7 +53,7 @@ macro_rules! record {
         wire!($name { $selector $($member)* } $size, false; [$selects selects] $([$($step)*])*);
 
         impl $name {
-            /// A command that has nothing but its selector.
+            /// A command that has only its selector.
             #[inline]
             fn bare($selector: $selector_type) -> Self {
                 Self { $selector, $($member: None,)* }
@@ -87,7 +87,8 @@ macro_rules! members {
     };
 }
 
-/// The codec of a record: its members, its maximum size, whether it always has that, and its steps.
+/// The codec of a record: its members, its maximum size, whether this is its only size, and its
+/// steps.
 macro_rules! wire {
     ($name:ident { $($member:ident)* } $size:expr, $fixed:expr; $([$($step:tt)*])*) => {
         impl $crate::Wire for $name {

@@ -2,8 +2,8 @@
 
 One module for each descriptor set, as `registry.MODULES` lists them; `registry` finds the type of
 any field, `devices` holds device profiles. `open_port` connects to a device, `aio.open_port` does
-so for asyncio. Modules are imported when they are first asked for: `import mip_protocol` is enough
-to use `mip_protocol.sensor`.
+so for asyncio. Modules are imported when they are first used: `import mip_protocol` is enough to
+use `mip_protocol.sensor`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .packet import Packet, PacketBuilder, RawField, Undecoded, checksum
 from .parser import Parser
 from .protocol import VERSION, AckCode, Acknowledge, FunctionSelector
 
-# What type checkers and editors see; else it is imported when it is first asked for.
+# For type checkers and editors; otherwise modules are imported when they are first used.
 if TYPE_CHECKING:
     from . import aio as aio
     from . import devices as devices
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
 __version__ = VERSION
 
-#: What is imported when it is first asked for -> its module.
+#: Names that are imported when they are first used -> their modules.
 _LAZY = {
     "Answer": "client",
     "Arrival": "conversation",

@@ -15,7 +15,7 @@ T = TypeVar("T", bound=IntFlag)
 S = TypeVar("S", bound="_Structure")
 Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
 
-#: What a vector can be made of: a sequence or an array of numbers, but neither bytes nor text.
+#: What a vector can be created from: a sequence or an array of numbers, but not bytes or text.
 Numbers: TypeAlias = Collection[float]
 #: And a matrix: the same row by row, or its rows.
 Rows: TypeAlias = "Collection[float] | Collection[Collection[float]]"
@@ -46,8 +46,8 @@ class OpenEnum(IntEnum):
 def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
     """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` clears only X.
 
-    Python itself inverts only the named bits or, in older versions, gives a negative number.
-    It also keeps an object for every combination of bits that it ever sees; these are let go.
+    Python itself inverts only the named bits or, in older versions, gives a negative number. It
+    also keeps an object for every combination of bits that it ever sees; here they are not kept.
     """
 
     def opened(kind: type[T]) -> type[T]:

@@ -1,4 +1,4 @@
-"""What is known of fields, structures, enumerations, bitfields and sets; see `reflection.info`."""
+"""Descriptions of fields, structures, enumerations, bitfields and sets; see `reflection.info`."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from .parameter import Parameter
 
 @dataclass(frozen=True)
 class Info:
-    """What all of them have."""
+    """The common part of all descriptions."""
 
     name: str  # in the specification: "sensor.scaled_accel"; of a value or a bit its own
     description: str = ""
-    facts: tuple[str, ...] = ()  # what else there is to say, in sentences
+    facts: tuple[str, ...] = ()  # further sentences
     sources: tuple[str, ...] = ()  # manual and section: "3dm-gx5-15: 5.1.1 …"
 
     @property
     def text(self) -> str:
-        """All that there is to say of it in sentences."""
+        """Its full description in sentences."""
         return " ".join(filter(None, (self.description, *self.facts)))
 
 

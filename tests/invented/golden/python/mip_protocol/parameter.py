@@ -1,4 +1,4 @@
-"""What is known of a parameter: one value of a field or of a structure."""
+"""The description of a parameter: one value of a field or of a structure."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class Flag:
     """A bit, or a bool, that says whether a value is valid."""
 
-    name: str  # "valid_flags.tow", as the specification calls it
+    name: str  # its name in the specification: "valid_flags.tow"
     attribute: str  # of the same field or structure: the value that holds it
     mask: int  # 0: that value is a bool
 
@@ -23,13 +23,13 @@ class Flag:
     @overload
     def holds(self, flags: Any) -> Any: ...
     def holds(self, flags: Any) -> Any:
-        """Is it set in the value of its attribute? Of a NumPy array: for each element."""
+        """Is it set in the value of its attribute? For a NumPy array: in each element."""
         return (flags & self.mask) == self.mask if self.mask else flags != 0
 
 
 @dataclass(frozen=True)
 class Variant:
-    """What differs on some devices, or with some values of another parameter."""
+    """What differs on some devices, or for some values of another parameter."""
 
     by: str  # "device", or the attribute that holds the other value
     keys: tuple[str | int, ...]  # ids of devices, or that value
@@ -46,7 +46,7 @@ class Parameter:
     attribute: str
     kind: str  # scalar, constant, counter, bits, text, array, struct or switch
     description: str = ""
-    facts: tuple[str, ...] = ()  # what else there is to say, in sentences
+    facts: tuple[str, ...] = ()  # further sentences
     scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
     size: int = 0
     elements: tuple[str, ...] = ()  # of a vector
@@ -76,7 +76,8 @@ class Parameter:
 
     @property
     def derived(self) -> bool:
-        """Does it follow from the rest, so that objects do not hold it: a constant or a counter?"""
+        """Does it follow from the rest, so that objects do not contain it: a constant or a
+        counter?"""
         return self.constant is not None or bool(self.counts)
 
     @property
@@ -86,7 +87,8 @@ class Parameter:
 
     @property
     def range(self) -> str:
-        """What the value may be: "0 to 8", "greater than 0, at most 10"; empty if any."""
+        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is
+        allowed."""
         low, high = self.minimum, self.maximum
         if low is not None and high is not None:
             return f"{low} to {high}"
@@ -96,7 +98,7 @@ class Parameter:
 
     @property
     def layout(self) -> str:
-        """What it is on the wire: "u16", "float[3]", "u8[num_points]", "char[16]"; of a structure its class."""
+        """Its type on the wire: "u16", "float[3]", "u8[num_points]", "char[16]"; of a structure its class."""
         one = "union" if self.tag else self.scalar or self.type.__name__
         if self.scalar == "bits":
             one = f"u8[{self.size}]"
@@ -106,12 +108,12 @@ class Parameter:
 
     @property
     def text(self) -> str:
-        """All that there is to say of it, as in the documentation of its class."""
+        """Its full description, as in the documentation of its class."""
         cases = [p.text for p in self.cases.values() if p is not None]
         return " ".join(filter(None, (self.description, *self.facts, *cases)))
 
     def on(self, device: str) -> Parameter:
-        """The same as a device has it. `device` is its id or another name; raises UnknownName."""
+        """The parameter on a device. `device` is its id or another name; raises UnknownName."""
         from .lookup import device_id
 
         key = device_id(device)
@@ -121,7 +123,7 @@ class Parameter:
         return replace(self, **changes) if changes else self
 
     def of(self, holder: Described, device: str | None = None) -> Parameter:
-        """The same as it is beside the other values of an object; and on a device, if one is given."""
+        """The parameter for the other values of an object, and on a device, if one is given."""
         found = self if device is None else self.on(device)
         for by in {v.by: None for v in self.variants if v.by != "device"}:
             changes = self._changes(by, getattr(holder, by))
@@ -135,7 +137,7 @@ class Parameter:
         return found
 
     def inside(self, holder: Described, device: str | None = None) -> dict[str, dict[str, Any]]:
-        """Of a structure: what its members have otherwise there, by attribute."""
+        """For a structure: what differs for its members there, by attribute."""
         found: dict[str, dict[str, Any]] = {}
         for by in {v.by: None for v in self.variants if v.member}:
             for v in self._that_hold(by, device if by == "device" else getattr(holder, by)):

@@ -18,13 +18,13 @@ PIECE = 1 << 20
 
 
 class Scanner(Generic[T]):
-    """What `Parser` and `Decoder` have in common: they take bytes, and return what they make of the packets."""
+    """The common part of `Parser` and `Decoder`: they take bytes, and return packets or their fields."""
 
     def __init__(self) -> None:
         self._rest = b""  # less than one packet
-        #: Bytes that belong to no packet.
+        #: The number of bytes that are not part of a packet.
         self.skipped = 0
-        #: What looked like a packet but has a wrong checksum.
+        #: Candidates with a wrong checksum.
         self.bad_checksums = 0
 
     @property
@@ -40,15 +40,16 @@ class Scanner(Generic[T]):
         return found
 
     def flush(self) -> list[T]:
-        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
+        """Discards an incomplete packet, for example at the end of a file, and searches its
+        bytes."""
         found: list[T] = []
         self._scan(b"", found, final=True)
         return found
 
     def feed_all(self, data: Buffer) -> list[T | bytes]:
-        """As `feed`, with the bytes between packets, in order: nothing of the stream is lost.
+        """Like `feed`, with the bytes between packets, in order: no byte of the stream is lost.
 
-        What is between two packets may come in several pieces.
+        The bytes between two packets may be in several pieces.
         """
         found: list[T | bytes] = []
         for piece in _pieces(data):
@@ -56,20 +57,20 @@ class Scanner(Generic[T]):
         return found
 
     def flush_all(self) -> list[T | bytes]:
-        """As `flush`, with the bytes between packets."""
+        """Like `flush`, with the bytes between packets."""
         found: list[T | bytes] = []
         self._scan(b"", found, between=True, final=True)
         return found
 
     def look_behind(self) -> list[T]:
-        """Gives up the incomplete packet only if a whole one is behind its first bytes.
+        """Discards the incomplete packet only if a whole packet follows its first bytes.
 
-        The first was noise then. Otherwise nothing changes.
+        The incomplete packet was noise. Otherwise nothing changes.
         """
         return [item for item in self.look_behind_all() if not isinstance(item, bytes)]
 
     def look_behind_all(self) -> list[T | bytes]:
-        """As `look_behind`, with the bytes between packets."""
+        """Like `look_behind`, with the bytes between packets."""
         found: list[T | bytes] = []
         rest, at = self._rest, 0
         while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
@@ -85,7 +86,8 @@ class Scanner(Generic[T]):
     def _scan(
         self, data: bytes, found: list[Any], between: bool = False, final: bool = False
     ) -> None:
-        """Adds the packets of the bytes that wait and of these, and if asked for what is between them."""
+        """Adds the packets in the waiting bytes and in these, and, if requested, the bytes between
+        them."""
         raise NotImplementedError
 
     def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
@@ -111,7 +113,8 @@ class Scanner(Generic[T]):
                 return at, 0
 
     def _behind_bad(self, buffer: bytes, at: int, size: int) -> int:
-        """Where to go on behind a bad packet. Noise may repeat itself, and every repetition is as bad."""
+        """Where to continue after a bad packet. Noise may repeat itself, and every repetition is
+        equally bad."""
         self.bad_checksums += 1
         again = buffer.find(SYNC, at + 1)
         if again < 0 or buffer[again + 2 : again + 4] != buffer[at + 2 : at + 4]:
@@ -135,7 +138,7 @@ class Parser(Scanner[Packet]):
     """Takes bytes in pieces of any size and returns the packets in them.
 
     Anything else in the stream (NMEA sentences, noise, packets with a bad checksum) is skipped and
-    counted in `skipped`. The result does not depend on how the stream is cut.
+    counted in `skipped`. The result does not depend on the sizes of the pieces.
 
     >>> parser = Parser()
     >>> parser.feed(b"$GP*00" + bytes.fromhex("756501020201e0"))

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 @dataclass(frozen=True)
 class Port:
-    """A port, and the protocols that it speaks."""
+    """A port, and the protocols that it supports."""
 
     name: str
     id: int | None  # the number that commands use
@@ -37,7 +37,7 @@ class Note:
 
 
 class DeviceInfo(Protocol):
-    """What the device information says of a device, as `base.BaseDeviceInfo` does."""
+    """The identity of a device, as in `base.BaseDeviceInfo`."""
 
     @property
     def model_number(self) -> str: ...
@@ -55,7 +55,7 @@ class Device:
     model_number: int | None
     fields: frozenset[tuple[int, int]]  # (set, descriptor) of commands and data
     functions: dict[tuple[int, int], str]  # letters, where they differ from the definition
-    base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arise
+    base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arrives
     ports: tuple[Port, ...]
     limits: dict[str, Limit]
     notes: dict[str, Note]
@@ -64,23 +64,24 @@ class Device:
     perhaps: dict[tuple[int, int], str] = field(default_factory=dict)
     """(set, descriptor) of commands and data that it may have -> why this is believed."""
     incomplete: tuple[str, ...] = ()
-    """What is not known of it. If there is anything, it may have more than is listed."""
-    also: tuple[str, ...] = ()  # what others call it
+    """What is not known of it. If there are any sentences, it may have more than is listed."""
+    also: tuple[str, ...] = ()  # other names
     generation: int | None = None
     manual: str | None = None
 
     def supports(self, set: int, descriptor: int) -> bool:
-        """Does it know this command or send these data? Shared data count in every data set."""
+        """Does it support this command or data field? Shared fields are supported in every data
+        set."""
         return _has(self.fields, set, descriptor)
 
     def may_support(self, set: int, descriptor: int) -> bool:
-        """The same, though it may not be certain."""
+        """The same, including support that is not certain."""
         return self.supports(set, descriptor) or _has(self.perhaps, set, descriptor)
 
     def decimation(self, set: int, rate: float) -> int:
-        """The decimation that comes closest to a wanted rate in Hz; at least 1.
+        """The decimation that is closest to a desired rate in Hz; at least 1.
 
-        If the device can report its base rate, ask the device.
+        If the device can report its base rate, read it from the device.
         """
         base = self.base_rates.get(set, 0.0)
         if not rate > 0:
@@ -97,7 +98,7 @@ def _has(known: Container[tuple[int, int]], set: int, descriptor: int) -> bool:
 def model_number(text: str) -> int | None:
     """The number with which the model and serial numbers of the device information begin.
 
-    It has at least four digits. Spaces may come before it, and a dot, a dash or a space behind it.
+    It has at least four digits. Spaces may precede it, and a dot, a dash or a space follows it.
     """
     found = re.match(r" *([0-9]{4,})(?=[-. \0]|\Z)", text)
     number = int(found[1]) if found else 0

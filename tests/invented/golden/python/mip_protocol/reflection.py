@@ -1,10 +1,10 @@
-"""What fields are made of and what they mean, for tools that treat all of them alike.
+"""The structure and meaning of fields, for generic tools.
 
 >>> from mip_protocol import reflection, sensor
 >>> reflection.info(sensor.ScaledAccel)["scaled_accel"].unit
 'g'
 
-What is known of a set is loaded when it is first asked for.
+The description of a set is loaded when it is first used.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def info(kind: type[IntEnum]) -> EnumInfo: ...
 @overload
 def info(kind: type[IntFlag]) -> BitsInfo: ...
 def info(kind: type) -> Any:
-    """What is known of a field, a structure, an enumeration or a bitfield of the specification.
+    """The description of a field, a structure, an enumeration or a bitfield of the specification.
 
     Raises LookupError for any other class.
     """
@@ -47,12 +47,12 @@ def _info(kind: type) -> Info:
             found = _table(module).get(base.__name__)
             if found is not None:
                 return found
-    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is no type of the specification")
+    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is not a type of the specification")
 
 
 @cache
 def set_info(number: int) -> SetInfo:
-    """What is known of a descriptor set. Raises LookupError for one that is not known."""
+    """The description of a descriptor set. Raises LookupError if it is unknown."""
     found = import_module(f"._meaning.{MODULES[number]}", __package__).SET
     assert isinstance(found, SetInfo)
     return found
@@ -65,7 +65,7 @@ def _modules() -> frozenset[str]:
 
 @cache
 def _table(module: str) -> dict[str, Info]:
-    """Class -> what is known of it."""
+    """Class -> its description."""
     table: dict[str, Info] = import_module(f"._meaning.{module}", __package__).TYPES
     return table
 

@@ -1,16 +1,16 @@
 //! A device at a port: one call for each command, and the data that it sends.
 //!
-//! [`Device`] waits at a [`Port`]: `StdPort` is one over whatever reads and writes with the standard
-//! library, `EmbeddedPort` one with the traits of `embedded-io`, and any other takes three
-//! functions. `AsyncDevice` does the same with `embedded-io-async`. Each needs the feature of its
-//! name.
+//! [`Device`] uses a [`Port`]: `StdPort` is one over anything that reads and writes with the
+//! standard library, `EmbeddedPort` one with the traits of `embedded-io`; any other port needs
+//! three functions. `AsyncDevice` does the same with `embedded-io-async`. Each needs the cargo
+//! feature of its name.
 //!
 //! ```no_run
 //! # #[cfg(feature = "std")]
 //! # fn example(serial: std::net::TcpStream) -> Result<(), Box<dyn std::error::Error>> {
 //! use mip_protocol::device::{Device, StdPort};
 //!
-//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait for ever
+//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait forever
 //! let mut device = Device::new(StdPort::new(serial));
 //! while let Some(packet) = device.next_packet(1000)? {
 //!     println!("{packet:?}");
@@ -18,19 +18,19 @@
 //! # Ok(()) }
 //! ```
 //!
-//! **Commands**: [`Device::request`] returns the response of one, [`Device::run`] is for those
-//! without, and [`Device::send_all`] sends several in one packet. What the device refuses, does not
-//! answer in time or answers otherwise is a [`DeviceError::Command`].
+//! **Commands**: [`Device::request`] returns the response of a command, [`Device::run`] is for
+//! commands without one, and [`Device::send_all`] sends several in one packet. A command that the
+//! device refuses, does not answer in time or answers incorrectly is a [`DeviceError::Command`].
 //!
-//! **Data that come while a command waits for its answer** are kept, and [`Device::next_packet`]
-//! returns them first, in order. There is room for `Q` bytes; if it is full, the oldest packets are
-//! dropped, and [`Device::dropped`] counts them. A device that is set to idle first sends none.
+//! **Data that arrives while a command waits for its answer** is kept, and [`Device::next_packet`]
+//! returns it first, in order. There is room for `Q` bytes; if it is full, the oldest packets are
+//! dropped, and [`Device::dropped`] counts them. A device that was set to idle first sends no data.
 //!
-//! **An answer** may come in a packet by itself or with others. Before a command times out, what
-//! noise holds back is looked through.
+//! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
+//! held back by noise are searched.
 //!
-//! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of the port
-//! ([`Device::port_mut`]), and ask with a ping whether the device hears it.
+//! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of
+//! the port ([`Device::port_mut`]), and check with a ping that the device answers.
 
 use core::fmt;
 
@@ -53,13 +53,13 @@ pub use embedded::EmbeddedPort;
 #[cfg(feature = "std")]
 pub use standard::StdPort;
 
-/// How a device is reached, and a clock.
+/// The connection to a device, and a clock.
 pub trait Port {
-    /// What can go wrong.
+    /// The error of the port.
     type Error;
 
-    /// Takes bytes that have come, to the front of the buffer, and returns how many they are. It
-    /// may wait for a while if there are none, but must then return 0.
+    /// Reads bytes that have arrived to the front of the buffer, and returns their number. It may
+    /// wait for a while if there are none, but must then return 0.
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error>;
 
     /// Sends all of these bytes.
@@ -69,20 +69,20 @@ pub trait Port {
     fn now_ms(&mut self) -> u64;
 }
 
-/// Why a device did not do what it was asked to.
+/// Why a call failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DeviceError<E> {
-    /// The command was not sent: it does not encode, or too many wait.
+    /// The command was not sent: it cannot be encoded, or too many are waiting.
     Request(RequestError),
     /// The command was not sent, because with these values it has no response: `run` it.
     NoResponse,
-    /// It was sent, and refused, or not answered as it should be.
+    /// It was sent, and refused, or not answered correctly.
     Command(CommandError),
     /// The port could not read or write.
     Port(E),
-    /// The port is at its end: nothing will come any more.
+    /// The port is closed: no more bytes will arrive.
     Closed,
 }
 
@@ -116,10 +116,10 @@ impl<E: fmt::Debug + fmt::Display> std::error::Error for DeviceError<E> {}
 #[cfg(all(feature = "core-error", not(feature = "std")))]
 impl<E: fmt::Debug + fmt::Display> core::error::Error for DeviceError<E> {}
 
-/// What a device takes at a time from its port.
+/// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;
 
-/// What is known of the conversation with a device, without its port.
+/// The state of the communication with a device, without its port.
 #[derive(Clone, Debug)]
 struct Core<const N: usize, const Q: usize> {
     client: Client<N>,
@@ -132,14 +132,14 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         Self { client, parser: Parser::new(), data: Queue::new() }
     }
 
-    /// The part of a chunk to read into: whatever comes fits into an empty queue.
+    /// The part of a chunk to read into: it always fits into an empty queue.
     #[allow(clippy::unused_self)]
     fn part<'c>(&self, chunk: &'c mut [u8; CHUNK]) -> &'c mut [u8] {
         let size = Q.saturating_sub(MAX_PACKET).clamp(1, CHUNK);
         chunk.get_mut(..size).unwrap_or_default()
     }
 
-    /// Takes bytes that have come.
+    /// Takes received bytes.
     fn arrived(&mut self, bytes: &[u8]) {
         let mut packets = self.parser.feed(bytes);
         while let Some(packet) = packets.next() {
@@ -147,14 +147,14 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         }
     }
 
-    /// Lets commands time out, after what noise holds back.
+    /// Lets commands time out, after processing what noise holds back.
     fn tick(&mut self, now_ms: u64) {
         while let Some(packet) = self.client.poll(&mut self.parser, now_ms) {
             sort(&mut self.client, &mut self.data, &packet);
         }
     }
 
-    /// When nothing comes for long, what is behind noise is found.
+    /// When no bytes arrive for a while, packets after noise are found.
     fn look_behind(&mut self) -> bool {
         let mut found = false;
         while let Some(packet) = self.parser.look_behind() {
@@ -164,7 +164,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         found
     }
 
-    /// The outcome of a command that waits no longer.
+    /// The outcome of a command that is no longer waiting.
     fn result<C: Command, E>(
         &mut self,
         ticket: &Ticket<C>,
@@ -173,7 +173,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 }
 
-/// Gives a packet to the client, and keeps it if it has more than answers.
+/// Passes a packet to the client, and keeps it if it contains more than answers.
 fn sort<const N: usize, const Q: usize>(
     client: &mut Client<N>,
     data: &mut Queue<Q>,
@@ -184,7 +184,7 @@ fn sort<const N: usize, const Q: usize>(
     }
 }
 
-/// Packets that have come, one after another.
+/// Received packets, one after another.
 #[derive(Clone, Debug)]
 struct Queue<const Q: usize> {
     bytes: [u8; Q],
@@ -235,9 +235,9 @@ impl<const Q: usize> Queue<Q> {
 
 /// A device at a port.
 ///
-/// It has memory for `N` commands of one packet, some 300 bytes for each, and for `Q` bytes of data
-/// packets that come while a command waits; more, if a device streams fast and is not set to idle
-/// first. `Device<_, 1, 600>` is about the least that is of use.
+/// It has memory for `N` commands of one packet, about 300 bytes each, and for `Q` bytes of data
+/// packets that arrive while a command waits; choose a larger `Q` if a device streams fast and is
+/// not set to idle first. `Device<_, 1, 600>` is about the smallest useful size.
 #[derive(Clone, Debug)]
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
     port: P,
@@ -245,7 +245,7 @@ pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
 }
 
 impl<P: Port> Device<P> {
-    /// A device with the usual memory and time-out; nothing is sent or read.
+    /// A device with the default memory and time-out; nothing is sent or read.
     #[must_use]
     pub const fn new(port: P) -> Self {
         Self::with_client(port, Client::new())
@@ -253,7 +253,7 @@ impl<P: Port> Device<P> {
 }
 
 impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
-    /// With a client that has another time-out or size: `let device: Device<_, 1, 600> = …`.
+    /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
         Self { port, core: Core::new(client) }
@@ -264,22 +264,22 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
         &self.port
     }
 
-    /// The port, for instance to set its baud rate.
+    /// The port, for example to set its baud rate.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port
     }
 
-    /// The port; what was read and not returned is lost.
+    /// The port; bytes read but not returned are lost.
     pub fn into_port(self) -> P {
         self.port
     }
 
-    /// The parser, which counts the bytes that belong to no packet.
+    /// The parser, which counts the bytes that are not part of a packet.
     pub const fn parser(&self) -> &Parser {
         &self.core.parser
     }
 
-    /// How many packets were dropped, because there was no room for them while a command waited.
+    /// The number of packets dropped because there was no room for them while a command waited.
     pub const fn dropped(&self) -> u32 {
         self.core.data.dropped
     }
@@ -290,7 +290,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// # Errors
     ///
-    /// If a response is not what these values ask for, nothing is sent ([`DeviceError::NoResponse`]).
+    /// If the command with these values does not request a response, nothing is sent
+    /// ([`DeviceError::NoResponse`]).
     pub fn request<C: Command>(
         &mut self,
         command: &C,
@@ -303,7 +304,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Sends a command, and waits until the device has carried it out. A response is ignored.
     ///
-    /// It does not wait for a command that devices do not answer.
+    /// It does not wait if devices do not answer the command.
     pub fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
         self.carry_out(command).map(drop)
     }
@@ -322,8 +323,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Sends several commands of one descriptor set in one packet, and waits for all answers.
     ///
-    /// The closure adds them, and returns what it likes, usually their tickets. [`Device::answer`]
-    /// tells what became of each.
+    /// The closure adds them, and returns any value, usually their tickets. [`Device::answer`]
+    /// returns the outcome of each.
     pub fn send_all<T>(
         &mut self,
         set: u8,
@@ -338,7 +339,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(tickets)
     }
 
-    /// The answer to one command of [`Device::send_all`]; it is known until the next command.
+    /// The answer to one command of [`Device::send_all`]; it is available until the next command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
@@ -360,10 +361,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(())
     }
 
-    /// The next packet with data, or with whatever else answers no command; `None` if none comes
-    /// in so many milliseconds. With 0, it looks once.
+    /// The next packet with data or other fields that do not answer a command; `None` if none
+    /// arrives within this number of milliseconds. With 0, it reads once.
     ///
-    /// Continuation packets come one by one, as the device sends them.
+    /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(
         &mut self,
         wait_ms: u32,

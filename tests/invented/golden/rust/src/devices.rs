@@ -16,7 +16,7 @@ pub struct Device {
     pub title: &'static str,
     /// A description.
     pub description: &'static str,
-    /// What others call it.
+    /// Other names.
     pub also: &'static [&'static str],
     /// The number of the model, if it is known.
     pub model_number: Option<u16>,
@@ -24,9 +24,9 @@ pub struct Device {
     pub generation: Option<u8>,
     /// The manual that describes it, if one is known.
     pub manual: Option<&'static str>,
-    /// What is not known of it, in sentences. If there is any, it may have more than is listed.
+    /// Sentences on what is not known of it. If there are any, it may have more than is listed.
     pub incomplete: &'static [&'static str],
-    /// Its commands and data fields, those that are not certain included.
+    /// Its commands and data fields, including those that are not certain.
     pub fields: &'static [Supported],
     /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
@@ -50,7 +50,7 @@ pub struct Supported {
     pub descriptor: u8,
     /// The name in the specification.
     pub name: &'static str,
-    /// The function selectors that the device takes; empty if the field has none.
+    /// The function selectors that the device accepts; empty if the field has none.
     pub functions: &'static [FunctionSelector],
     /// Why the device is believed to support it; `None` if that is certain.
     pub evidence: Option<&'static str>,
@@ -62,7 +62,7 @@ pub struct Supported {
 pub struct BaseRate {
     /// The descriptor set.
     pub set: u8,
-    /// Rate in Hz, divided by a decimation; 0 if data are sent as they arise.
+    /// Rate in Hz, divided by a decimation; 0 if data is sent as it arrives.
     pub hertz: f64,
 }
 
@@ -76,7 +76,7 @@ pub struct Port {
     pub id: Option<u8>,
     /// The baud rates that it supports.
     pub baud_rates: &'static [u32],
-    /// The protocols that it speaks.
+    /// The protocols that it supports.
     pub protocols: &'static [&'static str],
 }
 
@@ -113,14 +113,14 @@ impl Device {
         ALL.iter().copied().find(|device| device.id == id)
     }
 
-    /// The device of this id, this title or another name.
+    /// The device with this id, title or other name.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
         let called = |d: &&Self| d.id == name || d.title == name || d.also.contains(&name);
         ALL.iter().copied().find(called)
     }
 
-    /// The device of this model number; `None` if it is unknown, as newer ones are.
+    /// The device of this model number; `None` if it is unknown, for example of a newer device.
     #[must_use]
     pub fn by_model(number: u16) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.model_number == Some(number))
@@ -128,13 +128,13 @@ impl Device {
 
     /// The entry of a field, if the device supports it in packets of this set.
     ///
-    /// Shared data belong to every data set.
+    /// Shared fields belong to every data set.
     #[must_use]
     pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         self.may_support(set, descriptor).filter(|field| field.evidence.is_none())
     }
 
-    /// The same, though it may not be certain: the evidence says why it is believed.
+    /// The same, even if it is not certain: the evidence says why it is believed.
     #[must_use]
     pub fn may_support(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
@@ -148,7 +148,7 @@ impl Device {
         certain.any(|f| T::in_set(f.set) && f.descriptor == T::DESCRIPTOR)
     }
 
-    /// The base rate of a descriptor set in Hz; 0 if data are sent as they arise.
+    /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
     #[must_use]
     pub fn base_rate(&self, set: u8) -> Option<f64> {
         self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)
@@ -163,8 +163,8 @@ impl Device {
 
 /// The model number that the device information gives: its model and serial numbers begin with it.
 ///
-/// It has at least four digits. Spaces may come before it, and a dot, a dash, a space, a NUL or the
-/// end of the text behind it.
+/// It has at least four digits. Spaces may precede it, and a dot, a dash, a space, a NUL or the end
+/// of the text follows it.
 ///
 /// ```
 /// use mip_protocol::devices::model_number;

@@ -1,4 +1,4 @@
-//! What can go wrong in the codec: the kind of the mistake, the field, and what was needed.
+//! Errors of the codec: the kind of error, the field, and what was needed.
 
 use core::fmt;
 
@@ -19,9 +19,9 @@ pub struct DecodeError {
     pub kind: DecodeErrorKind,
     /// The name of the field in the specification, `set.field`.
     pub field: &'static str,
-    /// What is needed, as the kind says.
+    /// What is needed; see the kind.
     pub need: usize,
-    /// What there is instead.
+    /// What is present instead.
     pub got: usize,
 }
 
@@ -30,12 +30,12 @@ pub struct DecodeError {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DecodeErrorKind {
-    /// The data end before the last required value: it needs and has so many bytes.
+    /// The data ends before the last required value: the numbers of bytes needed and present.
     Truncated,
     /// A count exceeds the number of elements that follow, or that a field can hold: the count, and
-    /// how many there can be.
+    /// the maximum.
     Count,
-    /// A constant has another value: the value that it must have, and the one that it has.
+    /// A constant has another value: the required value, and the actual one.
     Constant,
 }
 
@@ -48,9 +48,9 @@ pub struct EncodeError {
     pub kind: EncodeErrorKind,
     /// The name of the field in the specification, `set.field`; empty if only its bytes are known.
     pub field: &'static str,
-    /// What is needed, as the kind says.
+    /// What is needed; see the kind.
     pub need: usize,
-    /// What there is instead.
+    /// What is present instead.
     pub got: usize,
 }
 
@@ -60,21 +60,22 @@ pub struct EncodeError {
 #[non_exhaustive]
 pub enum EncodeErrorKind {
     /// A value is `None` although the function requires it or a later value is present: the number
-    /// of values that belong together, and of those that are there.
+    /// of values that belong together, and of those that are present.
     Missing,
-    /// There are more elements than a list or their counter can hold: how many, and how many fit.
+    /// There are more elements than a list or their counter can hold: the number of elements, and
+    /// the maximum.
     Count,
-    /// A union does not hold the member that its tag selects.
+    /// A union does not contain the member that its tag selects.
     Tag,
-    /// It does not fit into a field, a packet or the caller's buffer: the bytes needed, at least, and
-    /// those that are free.
+    /// It does not fit into a field, a packet or the caller's buffer: the number of bytes needed,
+    /// at least, and of those free.
     Length,
     /// The field does not belong to the descriptor set of the packet: its set, and that of the packet.
     Set,
 }
 
 impl DecodeError {
-    /// The same mistake in a field.
+    /// The same error in a field.
     #[must_use]
     pub(crate) const fn new(
         kind: DecodeErrorKind,
@@ -113,8 +114,8 @@ impl EncodeError {
 impl fmt::Display for DecodeErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Truncated => "the data end too early",
-            Self::Count => "a count does not match the data that follow",
+            Self::Truncated => "the data ends too early",
+            Self::Count => "a count does not match the data that follows",
             Self::Constant => "a constant has another value",
         })
     }
@@ -125,7 +126,7 @@ impl fmt::Display for EncodeErrorKind {
         f.write_str(match self {
             Self::Missing => "a value is missing",
             Self::Count => "there are more elements than can be counted",
-            Self::Tag => "a union does not hold the member that its tag names",
+            Self::Tag => "a union does not contain the member that its tag names",
             Self::Length => "the bytes do not fit",
             Self::Set => "the field does not belong to the descriptor set of the packet",
         })
@@ -151,7 +152,7 @@ impl fmt::Display for EncodeError {
             write!(f, "{field}: ")?;
         }
         match kind {
-            EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are there"),
+            EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are present"),
             EncodeErrorKind::Count => write!(f, "there are {need} elements, {got} fit"),
             EncodeErrorKind::Tag => write!(f, "{kind}"),
             EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),

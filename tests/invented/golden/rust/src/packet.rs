@@ -21,8 +21,9 @@ const FIELD_HEADER: usize = 2;
 /// The two checksum bytes of a packet: sums over header and payload.
 #[must_use]
 pub fn checksum(bytes: &[u8]) -> [u8; 2] {
-    // The second sum adds each byte as often as bytes follow it, and once more. Wide enough for the
-    // products, this is what compilers make fast; the low byte of each sum is the same as with u8.
+    // The second sum adds each byte once for each byte that follows it, and once more. Compilers
+    // make this fast; the types are wide enough for the products, and the low byte of each sum is
+    // the same as with u8.
     let (mut a, mut b, mut left) = (0_u16, 0_u16, bytes.len() as u16);
     for byte in bytes {
         let byte = u16::from(*byte);
@@ -40,7 +41,7 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
 pub enum PacketError {
     /// The bytes do not start with the two sync bytes.
     Sync,
-    /// The number of bytes is not what the packet states, or the descriptor set is 0.
+    /// The number of bytes differs from the length in the packet, or the descriptor set is 0.
     Length,
     /// The checksum is wrong.
     Checksum,
@@ -125,7 +126,7 @@ impl<'a> Packet<'a> {
         Fields { set: self.set(), payload: self.payload() }
     }
 
-    /// The first field of this type, decoded; `None` if the packet holds none.
+    /// The first field of this type, decoded; `None` if the packet has none.
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.fields().flatten().find_map(|field| field.get())
@@ -187,8 +188,8 @@ impl core::iter::FusedIterator for Fields<'_> {}
 
 /// Builds a packet from fields. It holds a valid packet at any time.
 ///
-/// A field that does not fit is an error, and leaves the packet unchanged. It is also a packet of
-/// its own memory: one that was received is copied into it by [`From`], without checking it again.
+/// A field that does not fit is an error, and leaves the packet unchanged. It also owns its packet:
+/// [`From`] copies a received packet into it, without checking it again.
 #[derive(Clone)]
 pub struct PacketBuilder {
     bytes: [u8; MAX_PACKET],
@@ -197,7 +198,8 @@ pub struct PacketBuilder {
 impl PacketBuilder {
     /// A packet of this descriptor set, without fields.
     ///
-    /// No packet has set 0, nor 0xFF, which defines fields of all data sets: they accept no field.
+    /// No packet has set 0, nor 0xFF, which defines fields of all data sets: a builder with such a
+    /// set accepts no field.
     #[must_use]
     pub const fn new(set: u8) -> Self {
         let [first, second] = SYNC;
@@ -296,8 +298,8 @@ impl PacketBuilder {
         HEADER.saturating_add(payload.into())
     }
 
-    /// The place for the data of a further field. Its head will be where the checksum is; so until
-    /// it is closed, the packet is what it was.
+    /// The place for the data of a further field. Its header will be where the checksum is; until
+    /// it is closed, the packet is unchanged.
     fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
         if matches!(self.set(), 0 | 0xFF) {
             return Err(EncodeError::set(field, set, self.set()));
@@ -309,7 +311,7 @@ impl PacketBuilder {
         self.bytes.get_mut(start..end).ok_or(EncodeError::length(field, FIELD_HEADER, left))
     }
 
-    /// Takes in a field whose data are in their place.
+    /// Adds a field whose data is already in place.
     fn close(&mut self, descriptor: u8, length: usize) {
         let end = self.end();
         let whole = length.saturating_add(FIELD_HEADER) as u8;

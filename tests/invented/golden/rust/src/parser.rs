@@ -7,7 +7,7 @@ use crate::protocol::SYNC;
 ///
 /// Garbage, other protocols, false syncs and broken packets never hide a packet: after a bad
 /// candidate the search continues one byte after its sync. Nothing is allocated. A packet that lies
-/// inside a chunk is checked and handed out there; only one that is cut by its end is copied.
+/// inside a chunk is checked and returned there; only one that is cut by its end is copied.
 ///
 /// ```
 /// use mip_protocol::Parser;
@@ -30,7 +30,7 @@ pub struct Parser {
     length: u16,
     /// The size of the packet in the buffer that was returned last.
     done: u16,
-    /// How many bytes it takes to judge the candidate in the buffer.
+    /// How many bytes are needed to judge the candidate in the buffer.
     missing: u16,
     skipped: u64,
 }
@@ -75,7 +75,7 @@ pub(crate) fn noise(bytes: &[u8]) -> usize {
     sync.map_or(bytes.len(), |at| at.saturating_add(1))
 }
 
-/// What is behind the first bytes.
+/// What follows the first bytes.
 pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
     bytes.get(count..).unwrap_or_default()
 }
@@ -93,7 +93,7 @@ impl Parser {
         Self { buffer: [0; MAX_PACKET], length: 0, done: 0, missing: 0, skipped: 0 }
     }
 
-    /// The number of bytes so far that belong to no packet, without those that are held back.
+    /// The number of bytes so far that are not part of a packet, without those that are held back.
     #[must_use]
     pub const fn skipped(&self) -> u64 {
         self.skipped
@@ -105,18 +105,18 @@ impl Parser {
         self.length.saturating_sub(self.done) as usize
     }
 
-    /// Takes a chunk, and returns what lends its packets one after another.
+    /// Takes a chunk, and returns a [`Feed`] that lends its packets one after another.
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
         Feed { parser: self, rest: chunk }
     }
 
-    /// Gives up the pending candidate only if a whole packet is behind its first bytes, and returns
-    /// that packet: the candidate was noise then. Otherwise nothing changes.
+    /// Discards the pending candidate only if a whole packet follows its first bytes, and returns
+    /// that packet: the candidate was noise. Otherwise nothing changes.
     pub fn look_behind(&mut self) -> Option<Packet<'_>> {
         self.held_back(true)
     }
 
-    /// The next packet that is complete in the buffer; also behind the candidate, if asked to.
+    /// The next packet that is complete in the buffer; also one after the candidate, if requested.
     pub(crate) fn held_back(&mut self, behind_candidate: bool) -> Option<Packet<'_>> {
         if self.step(&mut [].as_slice()).is_none() {
             if !behind_candidate {
@@ -133,7 +133,7 @@ impl Parser {
         Some(self.packet())
     }
 
-    /// Gives up the pending candidate, for instance at the end of a file.
+    /// Discards the pending candidate, for example at the end of a file.
     ///
     /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
@@ -188,7 +188,7 @@ impl Parser {
                     self.skip(count);
                     if buffered {
                         self.drop_front(count);
-                        // What is left and has just been copied is found again where it was.
+                        // The rest, which has just been copied, is found again where it was.
                         let left = usize::from(self.length);
                         let start = given.len().saturating_sub(input.len()).checked_sub(left);
                         if let Some(start) = start {
@@ -203,7 +203,7 @@ impl Parser {
         }
     }
 
-    /// Forgets the packet that was returned last. Is nothing held back then?
+    /// Removes the packet that was returned last. True if nothing else is held back.
     #[inline]
     pub(crate) fn is_empty(&mut self) -> bool {
         if self.length != self.done {
@@ -238,7 +238,7 @@ impl Parser {
         self.length = short(to);
     }
 
-    /// Takes the missing bytes from the input. Are all of them there?
+    /// Takes the missing bytes from the input. True if all of them are there.
     fn fill(&mut self, input: &mut &[u8]) -> bool {
         let count = usize::from(self.missing).min(input.len());
         let (head, tail) = input.split_at(count);
@@ -275,9 +275,9 @@ const fn short(count: usize) -> u16 {
 /// }
 /// ```
 ///
-/// A packet may be in the parser's buffer, which is needed for the next one: this is no `Iterator`,
-/// and a packet cannot be kept while the next is asked for. To keep it, copy it, for instance into a
-/// [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+/// A packet may be in the parser's buffer, which is needed for the next one: this is not an
+/// `Iterator`, and a packet cannot be kept while the next is requested. To keep it, copy it, for
+/// example into a [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
 ///
 /// ```compile_fail
 /// # use mip_protocol::Parser;
@@ -289,8 +289,8 @@ const fn short(count: usize) -> u16 {
 /// println!("{first:?} {second:?}");
 /// ```
 ///
-/// Ask until it returns `None`. What was not reached before is not in the parser: [`Feed::rest`] is
-/// that part of the chunk, to be fed later.
+/// Call it until it returns `None`. If you stop earlier, the part of the chunk that was not reached
+/// is not in the parser: it is [`Feed::rest`], to be fed later.
 #[derive(Debug)]
 #[must_use = "it lends the packets of the chunk"]
 pub struct Feed<'p, 'i> {
@@ -317,7 +317,7 @@ impl<'i> Feed<'_, 'i> {
         }
     }
 
-    /// The part of the chunk that was not reached yet.
+    /// The part of the chunk that has not been reached yet.
     #[must_use]
     pub const fn rest(&self) -> &'i [u8] {
         self.rest

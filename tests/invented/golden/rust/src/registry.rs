@@ -1,10 +1,10 @@
 //! All fields, for tools that must handle any of them.
 //!
-//! [`AnyField::decode`] finds the type of a field and decodes it. A [`Visitor`] does what it wants
-//! with each type, without a value that is as large as the largest field.
+//! [`AnyField::decode`] finds the type of a field and decodes it. A [`Visitor`] processes each type
+//! without a value as large as the largest field.
 //!
-//! A program that does not use this module does not pay for it. It lists the fields of the
-//! descriptor sets whose cargo features are on.
+//! A program that does not use this module does not contain it. It lists the fields of the
+//! descriptor sets whose cargo features are enabled.
 
 use core::fmt;
 
@@ -43,21 +43,21 @@ impl FieldInfo {
         FIELDS.iter().find(|info| info.name == name)
     }
 
-    /// The field that has these bytes; of several layouts the one that the data have.
+    /// The field that has these bytes; if there are several layouts, that of the data.
     #[inline]
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
         visit(field, Describe)
     }
 
-    /// May packets of this set hold the field?
+    /// May packets of this set contain the field?
     #[must_use]
     pub const fn in_set(&self, set: u8) -> bool {
         self.sets.0 <= set && set <= self.sets.1
     }
 }
 
-/// What every type of a field in the registry can do. Only the types of this crate implement it.
+/// The methods of every field type in the registry. Only the types of this crate implement it.
 pub trait Listed:
     Field
     + bounds::Sealed
@@ -77,7 +77,7 @@ pub trait Listed:
     fn into_any(self) -> AnyField;
 }
 
-/// Does something with a field of any type: see [`visit`].
+/// Processes a field of any type: see [`visit`].
 ///
 /// Methods that are added later will have a default.
 ///
@@ -85,7 +85,7 @@ pub trait Listed:
 /// use mip_protocol::registry::{visit, Listed, Visitor};
 /// use mip_protocol::{packet::Packet, RawField};
 ///
-/// /// Prints fields as they come.
+/// /// Prints fields as they arrive.
 /// struct Print;
 ///
 /// impl Visitor for Print {
@@ -109,13 +109,13 @@ pub trait Listed:
 /// }
 /// ```
 pub trait Visitor {
-    /// What comes out of it.
+    /// The result.
     type Output;
 
-    /// Does it with a field of type `T`, not yet decoded.
+    /// Processes a field of type `T`, not yet decoded.
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output;
 
-    /// Does it with a field that the registry does not list.
+    /// Processes a field that the registry does not list.
     fn unknown(self, field: &RawField<'_>) -> Self::Output;
 }
 
@@ -174,9 +174,10 @@ fn from_value<T: Listed>(
     T::from_value(value).map(T::into_any)
 }
 
-/// What types can do besides, as the features of the crate say.
+/// Further traits of types, by features of the crate.
 mod bounds {
-    /// Keeps others from implementing [`Listed`](super::Listed), which may grow.
+    /// Prevents other crates from implementing [`Listed`](super::Listed), to which methods may be
+    /// added.
     pub trait Sealed {}
 
     macro_rules! bound {

@@ -3,7 +3,7 @@
  * The command client, without input, output or a clock.
  *
  * The caller builds a packet, sends it, and passes received packets and the time to the client. The
- * caller also owns the requests: each must stay in place until it is no longer waiting.
+ * caller also owns the requests: each must stay at its address until it is no longer waiting.
  *
  *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
  *     mip_client_add(&client, &request, &builder, &mip_..._command, &command, now);
@@ -32,11 +32,11 @@ extern "C" {
 struct mip_response {
     /** The wire format of the response. */
     const struct mip_codec *codec;
-    /** Does a command with these values ask for it? NULL if it always does. */
+    /** Does a command with these values request it? NULL if it always does. */
     bool (*asked)(const void *command);
 };
 
-/** What is known of a command beside its wire format. */
+/** Properties of a command other than its wire format. */
 struct mip_command {
     /** The wire format of the command. */
     const struct mip_codec *codec;
@@ -75,15 +75,15 @@ struct mip_request {
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
-    /** The command, and the response that it asks for; NULL if it asks for none. Where devices
-     * answer in different layouts, it is the first one or the expected one, and in the end the one
-     * that came. */
+    /** The command, and the response that it requests; NULL if it requests none. If devices
+     * answer in different layouts, this is the first one or the expected one, and finally the
+     * one received. */
     const struct mip_command *command;
     /** The wire format of the response, see `command`. */
     const struct mip_codec *codec;
-    /** The responses of the command, from the one that it asks for on. */
+    /** The responses of the command, starting with the one that it requests. */
     const struct mip_response *asked;
-    /** Where the response goes; NULL if the caller does not need it. */
+    /** Where the response is stored; NULL if the caller does not need it. */
     void *response;
     /** When the request times out, in the caller's milliseconds. */
     uint32_t deadline;
@@ -112,20 +112,21 @@ MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *
                                  const void *value, uint32_t now);
 
 /**
- * Says where the response goes. To be called right after mip_client_add. False, and nothing is
- * stored, if this is not the response that the command asks for with its values.
+ * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is
+ * stored, if the command with its values does not request this response.
  *
  * If devices answer in different layouts, say which one this device has; if it sends another one,
- * the request is undecodable with MIP_ERROR_LAYOUT. Who does not know takes the field from
- * mip_client_next and decodes it by the `codec` of the request.
+ * the request is undecodable with MIP_ERROR_LAYOUT. If you do not know, take the field from
+ * mip_client_next and decode it by the `codec` of the request.
  */
 MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec,
                                void *response);
 
 /**
- * Both in one: adds a command, and says where its response goes. The structure of the response is
- * zeroed first, and stays so if the command with these values does not ask for it; `response` may
- * be NULL. The generated functions mip_send_... call this with the types of each command.
+ * Both in one: adds a command, and sets where its response is stored. The structure of the response
+ * is zeroed first, and stays zeroed if the command with these values does not request it;
+ * `response` may be NULL. The generated functions mip_send_... call this with the types of each
+ * command.
  */
 MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request *request,
                                   struct mip_builder *packet, const struct mip_command *command,
@@ -139,10 +140,10 @@ MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request 
 MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
- * The same step by step, for callers who also use the other fields of the packet: continues a walk,
- * from its start or anywhere. False at the end. Otherwise, either `*answered` is the request that
- * was answered, and `*field` its response or, without one, the acknowledge; or `*answered` is NULL,
- * and `*field` is a field that answers no request.
+ * The same step by step, for callers that also use the other fields of the packet: continues a
+ * walk, from its start or any other point. False at the end. Otherwise, either `*answered` is the
+ * request that was answered, and `*field` its response or, without one, the acknowledge; or
+ * `*answered` is NULL, and `*field` is a field that does not answer a request.
  *
  *     struct mip_walk walk = mip_walk_packet(&packet);
  *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
@@ -152,10 +153,10 @@ MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
 
 /**
  * Updates the time. Call it until it returns false; then the overdue requests have timed out.
- * Before that, it looks behind the bytes that the parser holds back, because noise that looks like
- * the start of a packet may hide an answer: it returns true if that finds a packet, which the
- * caller handles like any other. A packet of which a part has come is kept. `parser` is the parser
- * of the packets, or NULL.
+ * Before that, it searches the bytes that the parser holds back, because noise that looks like the
+ * start of a packet may hide an answer: it returns true if it finds a packet, which the caller
+ * handles like any other. An incomplete packet is kept. `parser` is the parser of the packets, or
+ * NULL.
  */
 MIP_API bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                              struct mip_packet *packet);

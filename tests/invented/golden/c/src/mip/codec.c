@@ -3,14 +3,14 @@
 
 #include <string.h>
 
-/* What the programs and the types of members take for granted. */
+/* What the programs and the types of members rely on. */
 #define ASSERT(name, condition) typedef char assert_##name[(condition) ? 1 : -1]
 ASSERT(bytes_have_eight_bits, (unsigned char)-1 == 255);
 ASSERT(floats_have_four_bytes, sizeof(float) == 4);
 ASSERT(doubles_have_eight_bytes_or_four, sizeof(double) == 8 || sizeof(double) == 4);
 
-/* Layouts that are only numbers, as most are, need no interpreter: unless space is dearer than
- * time, or doubles are not as on the wire. */
+/* Layouts that are only numbers, as most are, need no interpreter, unless size matters more than
+ * speed or doubles differ from those on the wire. */
 #ifdef __OPTIMIZE_SIZE__
 #define QUICK false
 #else

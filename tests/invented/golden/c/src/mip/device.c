@@ -42,7 +42,7 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     }
 }
 
-/** Reads once, into these bytes, and lets time pass. False if the port is gone. */
+/** Reads once, into these bytes, and updates the time. False if the port is gone. */
 static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;
@@ -61,7 +61,7 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
             handle(device, &packet);
         }
     }
-    /* If there was no room for more, the answer may already be waiting behind what was read. */
+    /* If there was no room for more, the answer may already be waiting after what was read. */
     const uint32_t passed = size < room ? now : now - MIP_DEFAULT_TIMEOUT;
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
            mip_client_poll(&device->client, &device->parser, passed, &packet)) {
@@ -106,7 +106,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
     const struct mip_port *port = &device->port;
-    uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what comes */
+    uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what is received */
     struct mip_builder builder;
     struct mip_request request;
     if (device->busy) {

@@ -1,4 +1,4 @@
-/* What became of a command, in words. */
+/* The outcome of a command, in words. */
 #include "mip/device.h"
 #include "mip/types.h"
 

@@ -1,5 +1,5 @@
-/* The stream parser. A packet that lies wholly inside the caller's bytes is checked and handed out
- * there; only one that is cut by their end is put together in the buffer. */
+/* The stream parser. A packet that lies wholly inside the caller's bytes is checked and returned
+ * there; only a packet that their end cuts is assembled in the buffer. */
 #include "mip/core.h"
 
 #include <string.h>
@@ -11,8 +11,8 @@ void mip_parser_init(struct mip_parser *parser) {
     parser->missing = 0;
 }
 
-/** The size of the packet that may begin here; more than `size` if that many bytes do not tell
- * yet, 0 if none begins here. */
+/** The size of the packet that may begin here; more than `size` if more bytes are needed to know
+ * it, 0 if none begins here. */
 static size_t candidate(const uint8_t *bytes, size_t size) {
     if (bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
         (size > 2 && bytes[2] == 0)) {
@@ -22,7 +22,7 @@ static size_t candidate(const uint8_t *bytes, size_t size) {
                                   : (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
 }
 
-/** Is this candidate, which is complete, a packet? Its header has been looked at. */
+/** Is this candidate, which is complete, a packet? Its header has been checked. */
 static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     packet->bytes = bytes;
     packet->size = size;
@@ -104,7 +104,7 @@ static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size
             } else {
                 drop(parser, count);
             }
-            /* What is behind and has just been copied is found again where it was. */
+            /* Bytes after it that have just been copied are found again where they were. */
             const size_t behind = parser->length - parser->done;
             if (behind > 0 && behind <= *size - left) {
                 parser->length = parser->done;

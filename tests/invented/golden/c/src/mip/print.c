@@ -10,7 +10,7 @@ static void put(const struct mip_print *print, const char *text) {
     mip_print_string(print, text);
 }
 
-/** Digits of a number in base 16, as many as asked for. */
+/** The given number of digits of a number in base 16. */
 static void put_digits(const struct mip_print *print, uint64_t value, unsigned digits) {
     while (digits-- > 0) {
         print->put(print->user, &"0123456789ABCDEF"[value >> 4 * digits & 15], 1);
@@ -275,13 +275,13 @@ static size_t items_of(const struct mip_parameter *p, const struct mip_parameter
     return count < p->capacity ? (size_t)count : p->capacity;
 }
 
-/** Are the bytes of an array together one bitfield? They may be on some devices. */
+/** Are the bytes of an array together one bitfield? On some devices they are. */
 static bool is_bitfield(const struct mip_parameter *p, const struct mip_names *names) {
     return p->length == MIP_LENGTH_FIXED && p->item_size == 1 && names != NULL &&
            names->bits != NULL && names->size == p->capacity;
 }
 
-/** What stands behind the name of a parameter, in its line. */
+/** What follows the name of a parameter in its line. */
 static void put_items(const struct mip_print *print, const struct mip_parameter *p,
                       const struct mip_parameter *all, const uint8_t *record) {
     const struct mip_names *names = names_of(print, p, all, record);
@@ -329,7 +329,7 @@ static void put_structures(const struct mip_print *print, unsigned depth,
     }
 }
 
-/** The alternative that is there; NULL if there is none. */
+/** The alternative that is present; NULL if there is none. */
 static const struct mip_parameter *selected(const struct mip_parameter *p,
                                             const struct mip_parameter *all,
                                             const uint8_t *record) {

@@ -1,6 +1,6 @@
 /**
- * @file
- * What a device supports, and how it differs from others. mip/profiles.h names the devices.
+ * @file What a device supports, and how it differs from other devices. mip/profiles.h names the
+ * devices.
  */
 #ifndef MIP_PROFILE_H
 #define MIP_PROFILE_H
@@ -20,7 +20,7 @@ struct mip_profile_field {
     uint8_t descriptor_set;
     /** Descriptor of the field. */
     uint8_t descriptor;
-    /** Letters of the function selectors that the device takes: "WRSLD"; empty without selectors.
+    /** Letters of the function selectors that the device accepts: "WRSLD"; empty without selectors.
      */
     const char *functions;
     /** Why the device is believed to support it; NULL if that is certain. */
@@ -31,7 +31,7 @@ struct mip_profile_field {
 struct mip_profile_rate {
     /** The data set. */
     uint8_t descriptor_set;
-    /** In Hz; 0: sent as the data arise. */
+    /** In Hz; 0: sent as the data arrives. */
     double rate;
 };
 
@@ -51,7 +51,7 @@ struct mip_profile_port {
 
 /** A limit of a device: a number, and what it limits. */
 struct mip_profile_limit {
-    /** A word for it. */
+    /** Its name. */
     const char *name;
     /** The limit itself. */
     double value;
@@ -63,7 +63,7 @@ struct mip_profile_limit {
 
 /** A note in words, with a table if it has rows. */
 struct mip_profile_note {
-    /** A word for it. */
+    /** Its name. */
     const char *name;
     /** Its heading. */
     const char *title;
@@ -71,13 +71,13 @@ struct mip_profile_note {
     const char *description;
     /** Row by row, the heading first. */
     const char *const *cells;
-    /** Rows of the table, the heading counted; 0: there is none. */
+    /** Rows of the table, including the heading; 0: there is none. */
     uint8_t rows;
     /** Columns of the table. */
     uint8_t columns;
 };
 
-/** The device's own type for a parameter. */
+/** The type that is specific to the device for a parameter. */
 struct mip_profile_reading {
     /** "filter_data.status.status_flags" */
     const char *of;
@@ -87,11 +87,11 @@ struct mip_profile_reading {
 
 /** What is known of a device. */
 struct mip_profile {
-    /** A word for it: "3dm-gx5-15". */
+    /** Its id: "3dm-gx5-15". */
     const char *id;
-    /** What the maker calls it: "3DM-GX5-15". */
+    /** Its name by the manufacturer: "3DM-GX5-15". */
     const char *title;
-    /** The manual that describes it, as the specification calls it; empty if none is known. */
+    /** The id in the specification of the manual that describes it; empty if none is known. */
     const char *manual;
     /** What it is. */
     const char *description;
@@ -117,9 +117,9 @@ struct mip_profile {
     uint8_t reading_count;
     /** Elements of `ack_codes`. */
     uint8_t ack_code_count;
-    /** What others call it. */
+    /** Other names. */
     const char *const *also;
-    /** What is not known of it, in sentences. If there is any, it may have more than is listed. */
+    /** Sentences on what is not known of it. If there are any, it may have more than is listed. */
     const char *const *incomplete;
     /** What it supports, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
@@ -129,9 +129,9 @@ struct mip_profile {
     const struct mip_profile_port *ports;
     /** Its limits. */
     const struct mip_profile_limit *limits;
-    /** What else the manual says of it. */
+    /** Other statements of the manual about it. */
     const struct mip_profile_note *notes;
-    /** The types that it has of its own. */
+    /** The types that are specific to it. */
     const struct mip_profile_reading *readings;
     /** The acknowledge codes that it sends. */
     const uint8_t *ack_codes;
@@ -145,13 +145,13 @@ extern MIP_API const size_t mip_profile_count;
 /** A device by its id ("3dm-gx5-15"), its title or another name; NULL if it is unknown. */
 MIP_API const struct mip_profile *mip_profile_find(const char *name);
 
-/** A device by its model number; NULL if it is unknown, as newer ones are. */
+/** A device by its model number; NULL if it is unknown, for example of a newer device. */
 MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 
 /**
  * The model number that the device information gives: its model and serial numbers begin with it.
- * Spaces may come before it, and a dot, a dash, a space, a NUL or the end of the text behind it. 0
- * if it is not there.
+ * Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it. 0 if
+ * it is not there.
  */
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
@@ -160,15 +160,15 @@ MIP_API const struct mip_profile_field *mip_profile_supports(const struct mip_pr
                                                              uint8_t descriptor_set,
                                                              uint8_t descriptor);
 
-/** The same, though it may not be certain: `evidence` says why it is believed. */
+/** The same, even if it is not certain: `evidence` says why it is believed. */
 MIP_API const struct mip_profile_field *mip_profile_may_support(const struct mip_profile *profile,
                                                                 uint8_t descriptor_set,
                                                                 uint8_t descriptor);
 
-/** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
+/** The base rate of a data set in Hz: 0 if data is sent as it arrives, negative if it has none. */
 MIP_API double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set);
 
-/** The name of the device's own type for a parameter; NULL if it has none. */
+/** The name of the type that is specific to the device for a parameter; NULL if it has none. */
 MIP_API const char *mip_profile_reading_of(const struct mip_profile *profile, const char *of);
 
 #ifdef __cplusplus

@@ -17,7 +17,7 @@ extern "C" {
 /** The bytes of a member. */
 #define MIP_SIZE(type, member) sizeof(((type *)0)->member)
 
-/** The place of a member, in a program all of whose places are below 256. */
+/** The place of a member, in a program whose places are all below 256. */
 #define MIP_AT(type, member) offsetof(type, member)
 /** The place of a member, in another program. */
 #define MIP_FAR_AT(type, member) offsetof(type, member) >> 8, offsetof(type, member) & 0xFF
@@ -38,7 +38,7 @@ extern "C" {
 /** More than 31 numbers: MIP_8_BITS(0, MIP_MANY(200, place)). */
 #define MIP_MANY(count, place) count, place
 
-/** What the other steps begin with. */
+/** The first bytes of the other steps. */
 enum {
     /** Of MIP_END. */
     MIP_STEP_END,
@@ -66,11 +66,11 @@ enum {
 #define MIP_END MIP_STEP_END
 /** All places of the program have two bytes. Before any other step but MIP_LAYOUT. */
 #define MIP_FAR MIP_STEP_FAR
-/** The sizes that the layout may have, where they tell it from the others of its descriptor. First
- * of all. */
+/** The sizes that the layout may have, if they distinguish it from the others of its descriptor.
+ * The first step. */
 #define MIP_SIZES(shortest, longest) MIP_STEP_LAYOUT, shortest, longest, 0
-/** The same, with the number of bytes that tell it from the others, and of each such byte, where it
- * is in the data, and its value. */
+/** The same, with the number of bytes that distinguish it from the others, and for each such
+ * byte its place in the data and its value. */
 #define MIP_LAYOUT(shortest, longest, bytes, ...) \
     MIP_STEP_LAYOUT, shortest, longest, bytes, __VA_ARGS__
 /** The structure begins with the number of present parameters; those up to `last` always are. */
@@ -84,20 +84,20 @@ enum {
 #define MIP_LARGE_GROUP(count) MIP_STEP_GROUP, count
 /** Bytes that are always the same. */
 #define MIP_CONSTANT(size, ...) MIP_STEP_CONSTANT, size, __VA_ARGS__
-/** The next step is taken as often as a member of `size` bytes says, and at most `capacity` times;
- * each time it takes `wire` bytes of the field. */
+/** The next step is repeated as often as a member of `size` bytes says, at most `capacity`
+ * times; each time it takes `wire` bytes of the field. */
 #define MIP_COUNTED(size, capacity, wire, place) MIP_STEP_COUNTED, size, capacity, wire, place
-/** The next step is taken until the field ends; a member of one byte says how often. */
+/** The next step is repeated until the field ends; a member of one byte says how often. */
 #define MIP_REST(capacity, wire, place) MIP_STEP_REST, 1, capacity, wire, place
 /** Structures of a type. Their program follows, which has `length` bytes. */
 #define MIP_EACH(count, type, length, place) \
     MIP_STEP_EACH, count, sizeof(type) >> 8, sizeof(type) & 0xFF, length, place
-/** A member of `size` bytes says which of the cases is there. They follow. */
+/** A member of `size` bytes says which of the cases is present. They follow. */
 #define MIP_SWITCH(size, cases, place) MIP_STEP_SWITCH, size, cases, place
 /** The bytes of the value that selects a case. Its program follows, which has `length` bytes. */
 #define MIP_CASE(length, ...) __VA_ARGS__, length
 
-/** Runs the program of a codec to decode a field, and counts the bytes behind its last parameter.
+/** Runs the program of a codec to decode a field, and counts the bytes after its last parameter.
  */
 mip_error mip_program_read(const struct mip_codec *codec, void *value,
                            const struct mip_field *field, size_t *trailing);

@@ -22,13 +22,13 @@ struct mip_entry {
     uint8_t role;
     /** Entries that mip_registry_link gives. */
     uint8_t link_count;
-    /** Where they stand in mip_registry_links. */
+    /** Where they are in mip_registry_links. */
     uint16_t first_link;
     /** Name in the specification: "3dm.pps_source_control". */
     const char *name;
     /** Its wire format. */
     const struct mip_codec *codec;
-    /** NULL if it is no command. */
+    /** NULL if it is not a command. */
     const struct mip_command *command;
 };
 
@@ -43,7 +43,7 @@ extern MIP_API const uint16_t mip_registry_links[];
 MIP_API const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
                                                         size_t *count);
 
-/** The layout of a field; NULL if it is unknown, or if the data have none of those that are known.
+/** The layout of a field; NULL if it is unknown, or if the data has none of the known layouts.
  */
 MIP_API const struct mip_entry *mip_registry_find(const struct mip_field *field);
 

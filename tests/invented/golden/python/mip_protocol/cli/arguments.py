@@ -18,7 +18,7 @@ def add_selection(parser: argparse.ArgumentParser) -> None:
         help="these fields or sets only: sensor.scaled_accel, sensor, 0x80, 0x80:0x04",
     )
     parser.add_argument(
-        "--without", action="append", default=[], metavar="NAME,...", help="all but these"
+        "--without", action="append", default=[], metavar="NAME,...", help="all except these"
     )
 
 
@@ -26,7 +26,7 @@ def add_device(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--device",
         metavar="DEVICE",
-        help="read flags as this device means them; `mip simulate --list` names them",
+        help="interpret flags for this device; `mip simulate --list` lists them",
     )
 
 
@@ -37,7 +37,7 @@ def device_id(name: str | None) -> str | None:
     try:
         return lookup.device_id(name)
     except UnknownName as error:
-        raise Failure(f"{error}; `mip simulate --list` names them all") from None
+        raise Failure(f"{error}; `mip simulate --list` lists them all") from None
 
 
 def positive(text: str) -> int:

@@ -133,7 +133,8 @@ def load(number: int, streams: list[Stream], base: float = 0) -> Load:
 
 
 def size_of(kind: type[Field], elements: int) -> int | None:
-    """The bytes of a field in a packet, with so many elements of its list; None if that varies."""
+    """The bytes of a field in a packet, with this number of elements of its list; None if that
+    varies."""
     total = 2
     for p in PARAMETERS[kind]:
         size = _size(p, elements)
@@ -181,7 +182,7 @@ def _stream(text: str) -> Stream:
     kind = named(name) if not colon else None
     number, kind = (kind.SET, kind) if kind else _field(within, plain)
     if not issubclass(kind, Data):
-        raise Failure(f"{kind.NAME} is no data field; only data are streamed")
+        raise Failure(f"{kind.NAME} is not a data field; only data is streamed")
     size = size_of(kind, elements)
     if size is None:
         raise Failure(f"the size of {kind.NAME} varies; it cannot be computed")
@@ -192,7 +193,7 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
     """A field of a set, which may be a shared one."""
     number, descriptor = keys(within)[0]
     if descriptor is not None or number < 0x80:
-        raise Failure(f"'{within}' is no data set; write SET:NAME@HZ")
+        raise Failure(f"'{within}' is not a data set; write SET:NAME@HZ")
     known = [kind for kind in fields(name) if kind.SET in (number, 0xFF)]
     if not known:
         raise Failure(f"{within} has no field '{name}'")

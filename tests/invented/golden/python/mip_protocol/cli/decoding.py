@@ -1,4 +1,4 @@
-"""The fields of a packet, with their values or with the reason why there are none."""
+"""The fields of a packet, with their values or the reason why there are none."""
 
 from __future__ import annotations
 

@@ -36,10 +36,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--tree", action="store_true", help="a line for each value, with bytes")
     form.add_argument(
-        "--line", action="store_true", help="a line for each packet (default, but for bytes)"
+        "--line", action="store_true", help="a line for each packet (default, except for bytes)"
     )
     add("--raw", action="store_true", help="add each packet in hexadecimal")
-    add("--skipped", action="store_true", help="show bytes that belong to no packet, too")
+    add("--skipped", action="store_true", help="also show bytes outside packets")
     add("--count", type=positive, metavar="N", help="end after N packets")
     add_device(parser)
     ports.add_arguments(parser)

@@ -117,7 +117,7 @@ class Job:
 def in_seconds(
     times: Any, wanted: str | None, clock: str | None, first: int | None
 ) -> tuple[int | None, Any]:
-    """Times in seconds, but for dates that are wanted as such; and the first of all."""
+    """Times in seconds, except dates that are requested as such; and the first of all."""
     import numpy as np
 
     if wanted in (None, "utc") and clocks.dated(clock):
@@ -132,7 +132,7 @@ def in_seconds(
 
 
 def kept(column: Column[Any], selection: Selection, invalid: str) -> Any:
-    """The rows that are written: of sets that are wanted; with `drop`, nothing in them is invalid."""
+    """The rows that are written: of the selected sets; with `drop`, without invalid values."""
     import numpy as np
 
     wanted = [n for n in column.sets if selection.has(n, column.type.DESCRIPTOR)]

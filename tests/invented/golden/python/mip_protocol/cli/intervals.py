@@ -1,4 +1,4 @@
-"""Rates and gaps of packets that come again and again, in bounded memory."""
+"""Rates and gaps of repeated packets, in bounded memory."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from .clocks import SECOND
 
-#: An interval of so many times the usual one is a gap.
+#: An interval of this many times the usual one is a gap.
 GAP = 1.5
 #: How many gaps and jumps are kept, with their places.
 KEPT = 10

@@ -1,4 +1,4 @@
-"""Files that are whole or not there."""
+"""Files that are either complete or absent."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from ..errors import Failure
 
 @contextmanager
 def whole(name: str, keep: bool = False) -> Iterator[IO[bytes]]:
-    """A file to write, or standard output for `-`. It takes its name when all of it is written.
+    """A file to write, or standard output for `-`. It gets its name when it is complete.
 
-    After an interrupt or an error nothing is left, unless what was written is to be kept. Raises Failure.
+    After an interrupt or an error nothing is left, unless the written part is to be kept. Raises Failure.
     """
     if name == "-":
         yield sys.stdout.buffer
@@ -67,7 +67,7 @@ def _rename(part: Path, path: Path) -> None:
 
 
 def note(text: str) -> None:
-    """Says what was done, to a person at a terminal only."""
+    """Reports what was done, only on a terminal."""
     if sys.stderr.isatty():
         print(text, file=sys.stderr)
 

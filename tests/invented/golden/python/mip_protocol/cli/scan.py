@@ -10,7 +10,7 @@ from ..parser import Parser
 
 
 class Piece(NamedTuple):
-    """A packet, or bytes that belong to none (`packet` is None), at an offset of the stream."""
+    """A packet, or bytes outside packets (`packet` is None), at an offset of the stream."""
 
     offset: int
     data: bytes
@@ -40,7 +40,8 @@ class Scanner:
 
 
 def damaged(data: bytes) -> int:
-    """How many packets these skipped bytes seem to have held, as far as their syncs are whole."""
+    """How many packets these skipped bytes seem to have contained, as far as their syncs are
+    complete."""
     count = at = 0
     while (at := data.find(b"\x75\x65", at)) >= 0:
         if len(data) - at > 3 and data[at + 2] != 0:

@@ -83,7 +83,7 @@ class Column(Generic[F]):
 
     @cached_property
     def parameters(self) -> Mapping[str, Parameter]:
-        """What is known of each column: type, unit, frame, range, flags."""
+        """The description of each column: type, unit, frame, range, flags."""
         device = self._log.device
         known = described(PARAMETERS[self.type], "")
         return {name: p if device is None else p.on(device) for name, p in known}
@@ -93,7 +93,8 @@ class Column(Generic[F]):
         return self._log.times(self, clock)
 
     def valid(self, name: str) -> Array:
-        """Is each value valid, as its flags have it? Shape (rows,), or (rows, elements) if each has its flag.
+        """Is each value valid, according to its flags? Shape (rows,), or (rows, elements) if each
+        has its flag.
 
         Without a flag, every value is. Values that are absent are not.
         """
@@ -110,7 +111,7 @@ class Column(Generic[F]):
         return np.asarray(there)
 
     def _holds(self, name: str, flag: Flag) -> Array:
-        """The rows in which a flag is set that vouches for a column."""
+        """The rows in which the valid flag of a column is set."""
         record = name.rpartition(".")[0]
         flags = self._values[f"{record}.{flag.attribute}" if record else flag.attribute]
         if isinstance(flags, Ragged):  # of structures in an array

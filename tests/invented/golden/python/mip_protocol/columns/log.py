@@ -1,4 +1,4 @@
-"""A log as columns: its packets are found once, values are read when they are asked for."""
+"""A log as columns: its packets are found once, values are read when they are requested."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ _KEPT = 10_000_000
 class Log:
     """The packets that begin in some bytes of a log.
 
-    They are exactly those that `Parser` finds, however the file is cut: a packet belongs to the
-    part that has its first byte. Memory is needed for the places of the packets, up to a limit, and
-    for the columns that are asked for; the file itself is not read into memory.
+    They are exactly those that `Parser` finds, however the file is divided: a packet belongs to the
+    part that contains its first byte. Memory is needed for the positions of the packets, up to a
+    limit, and for the requested columns; the file itself is not read into memory.
     """
 
     def __init__(
@@ -59,11 +59,11 @@ class Log:
         self.close()
 
     def close(self) -> None:
-        """Lets the file go. Columns that were read stay."""
+        """Closes the file. Columns already read remain valid."""
         self._source.close()
 
     def parts(self, size: int = 1 << 26) -> Iterator[Log]:
-        """The same log in parts of so many bytes; together they have every packet once."""
+        """The same log in parts of this many bytes; together they have every packet once."""
         if size < 1:
             raise ValueError(f"a part has 1 byte or more, not {size}")
         for begin in range(self.begin, self.end, size):
@@ -78,7 +78,7 @@ class Log:
 
     @property
     def skipped(self) -> int:
-        """The number of bytes that belong to no packet."""
+        """The number of bytes that are not part of a packet."""
         return self._counted()[1]
 
     def _counted(self) -> tuple[int, int]:
@@ -139,7 +139,7 @@ class Log:
     def __getitem__(self, kind: type[Field] | str) -> Column[Any]:
         """The fields of a type, also by its name ("sensor.scaled_accel"); a shared one of all sets.
 
-        They are those that `registry.decode_packet` gives: well formed, and long enough. Raises
+        They are those that `registry.decode_packet` returns: well formed, and long enough. Raises
         LookupError if the specification has no such type.
         """
         return self.column(kind)
@@ -172,7 +172,7 @@ class Log:
     # ----------------------------------------------------------------- what is in it
 
     def types(self) -> list[TypeCount]:
-        """How many fields of each type there are, by set and descriptor; and how often they come."""
+        """How many fields of each type there are, by set and descriptor, and their rates."""
         if self._types is None:
             self._types = contents.types(self)
         return self._types
@@ -190,10 +190,10 @@ class Log:
         """A data frame of one type, or of several: a row for each packet that has any of them.
 
         `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
-        that the log has, None for no time; `time_own` is then False where the packet has no
-        timestamp of its own (see `Times`). `invalid="mask"` leaves out values whose flag says that
-        they are not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` tells
-        whether their units are there, in the names or in the metadata of Arrow. `position` adds
+        that the log has, None for no time; `time_own` is False where the packet itself has no
+        timestamp (see `Times`). `invalid="mask"` leaves out values whose flag says that they are
+        not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` says
+        whether their units are included, in the names or in the metadata of Arrow. `position` adds
         the number of the packet, its descriptor set and its place in the file.
 
         Raises LookupError for unknown types, ValueError for other choices, MissingExtra if the library
@@ -221,10 +221,10 @@ class Log:
 def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:
     """The log in a file (a path or a binary file, which is mapped into memory) or in bytes.
 
-    With `begin` and `end`, in bytes, only the packets that begin there. `device` is the one that sent
-    it, by its id or name, as devices differ in which flags say that values are valid.
+    With `begin` and `end`, in bytes, only the packets that begin there. `device` is the id or name
+    of the device that sent it: devices differ in which flags say that values are valid.
 
     Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
-    behind `end`, LookupError if there is no such device.
+    after `end`, LookupError if there is no such device.
     """
     return Log(source, begin, end, device)

@@ -120,7 +120,7 @@ class VirtualDevice:
         self.run_until(self.now + round(seconds * SECOND))
 
     def run_until(self, time: int) -> None:
-        """Time passes up to this moment; everything due by then happens."""
+        """Time passes up to this moment, with everything that is due by then."""
         while (due := self.next) is not None and due <= time:
             self._move(due)
             for link in list(self.links):
@@ -151,7 +151,7 @@ class VirtualDevice:
 
     @property
     def busy(self) -> bool:
-        """Has it something to send, now or later, without being asked?"""
+        """Does it have something to send, now or later, by itself?"""
         late = any(link.next is not None for link in self.links)
         return bool(self._streams) or late or self._busy_until is not None
 
@@ -171,7 +171,7 @@ class VirtualDevice:
 
     @property
     def dropped(self) -> int:
-        """Packets for which hosts have left no room."""
+        """Packets dropped because hosts had no room."""
         return sum(link.dropped for link in self.links)
 
     def _move(self, time: int) -> None:

@@ -1,7 +1,7 @@
-"""What commands do beside keeping a setting, by the names that `spec/simulation` gives them.
+"""What commands do besides storing a setting, by their names in `spec/simulation`.
 
-An effect of a plain command is done when the command comes. An effect of a setting is done whenever the setting
-changes, before it is kept; it may refuse.
+An effect of a plain command takes place when the command arrives. An effect of a setting is done
+whenever the setting changes, before it is kept; it may refuse.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a command goes on after its answer."""
+    """How a command continues after its answer."""
 
     delay: int = 0  # nanoseconds until the answer
     after: Callable[[], None] | None = None  # done once it is sent

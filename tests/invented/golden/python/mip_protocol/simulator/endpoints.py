@@ -1,4 +1,4 @@
-"""Where clients find the device: pseudo-terminals and TCP ports."""
+"""The connections of clients to the device: pseudo-terminals and TCP ports."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def tcp_at(text: str, port: str | None = None) -> Endpoint:
 
 
 class Pty:
-    """A pseudo-terminal in raw mode. It stays while clients come and go."""
+    """A pseudo-terminal in raw mode. It stays open while clients connect and disconnect."""
 
     def __init__(self, path: str) -> None:
         if termios is None:
@@ -196,7 +196,7 @@ class Client:
 
 
 class Listener:
-    """A TCP port that takes clients."""
+    """A TCP port that accepts clients."""
 
     def __init__(self, host: str, number: int) -> None:
         self._host = host
@@ -253,6 +253,6 @@ Scramble = Callable[[bytes], bytes]
 
 
 def scrambler(seed: int) -> Scramble:
-    """What a wrong baud rate makes of bytes."""
+    """The effect of a wrong baud rate on bytes."""
     random = Random(f"{seed}:baud")
     return lambda data: random.randbytes(len(data))

@@ -1,4 +1,4 @@
-"""The faults that there are, and how they are written on the command line."""
+"""The kinds of faults, and how they are written on the command line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import Failure
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of fault: what may suffer it, and how much of it there is at most by default."""
+    """One kind of fault: what it affects, and its maximum amount by default."""
 
     of: str
     description: str
@@ -20,7 +20,7 @@ class Kind:
     unit: str = ""
 
 
-#: What may suffer faults. A rate is the probability for each of these.
+#: What faults affect. A rate is the probability for each of these.
 CHANCES = {
     "packet": "packet that the device sends",
     "data": "packet of data, before its checksum is computed",
@@ -45,18 +45,18 @@ KINDS: dict[str, Kind] = {
     "unknown_set": Kind("packet", "a packet of an unknown descriptor set before a packet"),
     "unknown_field": Kind("data", "a field with an unknown descriptor in a packet of data"),
     "longer": Kind("data", "a field of data has bytes after its known parameters", 8, "bytes"),
-    "late_answer": Kind("answer", "an answer comes late", 2.0, "s"),
+    "late_answer": Kind("answer", "an answer arrives late", 2.0, "s"),
     "lose_answer": Kind("answer", "acknowledge and response are missing"),
     "refuse": Kind("answer", "a command is refused, without a reason, after it was carried out"),
     "wrong_ack": Kind("answer", "the acknowledge names another command"),
     "unknown_field_in_answer": Kind("answer", "an unknown field follows the answer"),
-    "lose_ack": Kind("response", "the response comes without an acknowledge"),
-    "lose_response": Kind("response", "the acknowledge comes without the response"),
+    "lose_ack": Kind("response", "the response arrives without an acknowledge"),
+    "lose_response": Kind("response", "the acknowledge arrives without the response"),
     "wrong_descriptor": Kind("response", "the response has an unknown descriptor"),
     "wrong_size": Kind("response", "the response is shorter than any layout of it"),
     "other_response": Kind("response", "the response is that of another command"),
     "garbage": Kind(
-        "response", "the response holds random data, in a packet with a right checksum"
+        "response", "the response holds random data, in a packet with a correct checksum"
     ),
     "longer_response": Kind("response", "bytes follow the parameters of the response", 8, "bytes"),
     "command_lose": Kind("byte", "a byte is lost on the way to the device"),

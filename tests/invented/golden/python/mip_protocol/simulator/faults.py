@@ -1,4 +1,4 @@
-"""Faults on demand: what goes wrong between a device and its host, by seed, and a log of it."""
+"""Faults on demand between a device and its host, by seed, and a log of them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _INSERTED = ("noise", "nmea", "false_header", "unknown_set")
 
 @dataclass
 class _Line:
-    """What a receiver at the end of one line has in hand."""
+    """The state of a receiver at the end of one line."""
 
     free: int = 0  # when the line has sent what was delayed
     pending: bytes = b""  # what may be the start of a packet
@@ -100,7 +100,7 @@ class Faults:
     # ----------------------------------------------------------------- from the device
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
-        """What a line carries in place of a packet: bytes, each with a delay in ns, in order.
+        """What a line transmits in place of a packet: bytes, each with a delay in ns, in order.
 
         Calls for one line are in the order of their times. An NMEA sentence passes as it is.
         """
@@ -152,7 +152,7 @@ class Faults:
         return made
 
     def _body(self, now: int, packet: bytes, struck: list[str]) -> tuple[bytes, bool]:
-        """What is left of a packet, and is it whole?"""
+        """The rest of a packet, and whether it is complete."""
         if "lose_packet" in struck:
             self._tell(now, "lose_packet", "the packet is lost", packet=packet, damaged=True)
             return b"", False
@@ -191,7 +191,7 @@ class Faults:
     def _timed(
         self, now: int, at: _Line, before: bytes, body: bytes, struck: list[str], packet: bytes
     ) -> list[tuple[int, bytes]]:
-        """A line keeps its order: what was delayed delays what follows."""
+        """A line keeps its order: a delay also delays what follows."""
         first = max(at.free - now, 0)
         if "delay_packet" in struck:
             later = self._seconds("delay_packet")
@@ -270,7 +270,7 @@ class Faults:
     # ----------------------------------------------------------------- to the device
 
     def receive(self, now: int, data: bytes) -> bytes:
-        """What the device receives. The faults do not depend on how the stream is cut."""
+        """What the device receives. The faults do not depend on the sizes of the pieces."""
         if not self._active["byte"]:
             return data
         made = bytearray()
@@ -289,7 +289,7 @@ class Faults:
         return bytes(made)
 
     def event(self, now: int) -> str:
-        """What happens to the device itself, asked every 100 ms of simulated time."""
+        """What happens to the device itself, checked every 100 ms of simulated time."""
         for kind in self._struck("tick"):
             self._tell(now, kind, KINDS[kind].description)
             return kind

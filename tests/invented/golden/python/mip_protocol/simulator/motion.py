@@ -95,7 +95,7 @@ _REQUIRED = {"track": "file", "replay": "file"}
 
 
 def parse_motion(text: str) -> Motion:
-    """A motion by name, with options if need be. Raises MotionError.
+    """A motion by name, optionally with options. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0

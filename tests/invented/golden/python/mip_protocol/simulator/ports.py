@@ -1,4 +1,4 @@
-"""The ports of a device: their baud rates, and the protocols that they take in and give out."""
+"""The ports of a device: their baud rates, and the protocols that they receive and send."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def main(device: VirtualDevice, name: str) -> bool:
 
 
 def protocols(device: VirtualDevice, port: Port) -> tuple[int, int]:
-    """What a port takes in and gives out. Where no command sets it, every protocol of the port."""
+    """What a port receives and sends; if no command sets it, every protocol of the port."""
     own = sum(PROTOCOLS.get(name, 0) for name in port.protocols) or MIP
     for given in device.settings_of("protocols"):
         if given["port"] == port.id:

@@ -7,10 +7,10 @@ use super::Port;
 
 /// A port over anything that reads and writes, with the clock of the system.
 ///
-/// A read that finds nothing may wait or not, and may return 0 or an error: of the kinds
+/// A read without data may wait or not, and may return 0 or an error: of the kinds
 /// [`TimedOut`](ErrorKind::TimedOut), [`WouldBlock`](ErrorKind::WouldBlock) or
-/// [`Interrupted`](ErrorKind::Interrupted). It must return in the end, as a command times out only
-/// then: set a time-out of the port, of 10 ms for instance. Writes must wait.
+/// [`Interrupted`](ErrorKind::Interrupted). It must return at some point, because only then can a
+/// command time out: set a time-out of the port, for example 10 ms. Writes must wait.
 #[derive(Clone, Debug)]
 pub struct StdPort<T> {
     io: T,
@@ -18,23 +18,23 @@ pub struct StdPort<T> {
 }
 
 impl<T> StdPort<T> {
-    /// A port, for instance of the crate `serialport`.
+    /// A port, for example of the crate `serialport`.
     #[must_use]
     pub fn new(io: T) -> Self {
         Self { io, start: Instant::now() }
     }
 
-    /// What reads and writes.
+    /// The object that reads and writes.
     pub const fn get_ref(&self) -> &T {
         &self.io
     }
 
-    /// What reads and writes, for instance to set its baud rate.
+    /// The object that reads and writes, for example to set its baud rate.
     pub fn get_mut(&mut self) -> &mut T {
         &mut self.io
     }
 
-    /// What reads and writes.
+    /// The object that reads and writes.
     pub fn into_inner(self) -> T {
         self.io
     }

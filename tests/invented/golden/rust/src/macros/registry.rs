@@ -21,8 +21,8 @@ macro_rules! registry {
 
         /// A field of any type.
         ///
-        /// It is as large as the largest field, some hundred bytes, so it is better borrowed than
-        /// moved. A [`Visitor`] gets each field as its own type.
+        /// It is as large as the largest field, several hundred bytes, so borrow it rather than
+        /// move it. A [`Visitor`] gets each field as its own type.
         #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -67,7 +67,8 @@ macro_rules! registry {
             }
         )*)*
 
-        /// Calls the visitor with the type of a field; of several layouts with the one of the data.
+        /// Calls the visitor with the type of a field; if there are several layouts, with that of
+        /// the data.
         #[inline]
         pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
             $(

@@ -80,7 +80,7 @@ macro_rules! put {
     };
 }
 
-/// The same for what may be absent.
+/// The same for values that may be absent.
 macro_rules! put_some {
     ($record:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
         $record.put_some(spec_name!($member $($name)?), $member);
@@ -127,7 +127,7 @@ macro_rules! take {
     };
 }
 
-/// The same for what may be absent.
+/// The same for values that may be absent.
 macro_rules! take_some {
     ($record:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
         let $member = $record.take_some(spec_name!($member $($name)?))?;
