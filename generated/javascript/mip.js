@@ -1215,15 +1215,16 @@ function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage` and `options.erratumPage` are addresses with {set}, {field} and {id}
- * in them; without one, there are no links.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
+ * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
  */
 function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
     return {
         field(field, ...words) {
-            const [set, name] = field.name.split(".");
-            return link(address(options.fieldPage, { set, field: name }), words.length ? words : [field.title]);
+            const [set, page] = (field.command ?? field.name).split(".");
+            const pattern = field.set ? options.fieldPage : options.acknowledgePage;
+            return link(address(pattern, { set, page, field: field.name }), words.length ? words : [field.title]);
         },
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
@@ -1335,6 +1336,7 @@ function spaced(...texts) {
 function entryOf(protocol, field, commands) {
     const [set, name] = field.name.split(".");
     const also = field.also ?? [];
+    const keywords = field.keywords ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
     const names = [
@@ -1343,6 +1345,7 @@ function entryOf(protocol, field, commands) {
         field.title,
         ...also,
         ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...keywords,
         ...symbols,
         ...short,
     ];
@@ -1353,8 +1356,8 @@ function entryOf(protocol, field, commands) {
         field,
         squashed: [...new Set(names.map(squash))],
         words: {
-            [TITLE]: spaced(field.title, name, ...also),
-            [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...sections),
+            [TITLE]: spaced(field.title, name, ...also, ...keywords),
+            [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...keywords, ...sections),
             [PARTS]: spaced(...types.map((one) => one.name)),
             [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
         },

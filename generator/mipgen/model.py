@@ -489,6 +489,7 @@ class Field:
     advanced: bool = False
     deprecated: str | None = None
     also: tuple[str, ...] = ()  # other names
+    keywords: tuple[str, ...] = ()  # words by which people look for it, and which it does not contain
     notes: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     short: str | None = None

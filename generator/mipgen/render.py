@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -30,6 +31,7 @@ class File:
     path: str
     template: str
     context: Mapping[str, Any] = field(default_factory=dict)
+    target: str | None = None  # the built-in target whose template it is, if it is another's
 
 
 class Target(Protocol):
@@ -74,13 +76,18 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     module: Target = source.load()
-    templates = Templates(source, module.filters(model), {"model": model, "version": model.protocol.version})
+
+    @cache
+    def templates(other: str | None) -> Templates:
+        of = discovery.sources()[other] if other else source
+        return Templates(of, of.load().filters(model), {"model": model, "version": model.protocol.version})
+
     made = _runtime(source)
     made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
         if file.path in made:
             raise Failure(f"{file.path} is made twice", f"target {source.name}")
-        made[file.path] = templates.render(file.template, file.context, file.path).encode("utf-8")
+        made[file.path] = templates(file.target).render(file.template, file.context, file.path).encode("utf-8")
     formatter = getattr(module, "FORMATTER", None)
     if formatter is not None:
         made = formatting.formatted(formatter, made)

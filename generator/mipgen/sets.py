@@ -82,7 +82,7 @@ class Sets:
             functions=functions,
             max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
-            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"),
+            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=sentences(node, "keywords"),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, node["name"].value, self.problems), position=node.position,
         )  # fmt: skip

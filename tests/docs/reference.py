@@ -7,7 +7,9 @@ import functools
 import html
 import re
 from collections.abc import Iterator
+from typing import Any
 
+import yaml
 from mipgen import describe, render
 from mipgen import model as m
 from mipgen.typical import Typical
@@ -178,3 +180,14 @@ def made(of: m.Model) -> Manual:
 @functools.cache
 def manual_of(spec: str) -> Manual:
     return made(model(spec))
+
+
+def navigation(manual: Manual) -> list[tuple[str, str]]:
+    """The title and the path of every page of the site."""
+
+    def leaves(entry: Any) -> Iterator[tuple[str, str]]:
+        for child in entry:
+            for title, inside in child.items():
+                yield from [(title, inside)] if isinstance(inside, str) else leaves(inside)
+
+    return list(leaves(yaml.safe_load(manual.files["mkdocs.yml"])["nav"]))

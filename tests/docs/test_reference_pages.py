@@ -1,4 +1,4 @@
-"""The pages of the reference manual are neat, their links lead somewhere, and they build into a site."""
+"""The pages of the reference manual are neat, their links lead somewhere, and what they need to become a site."""
 
 from __future__ import annotations
 
@@ -7,23 +7,28 @@ import doctest
 import html
 import importlib.util
 import itertools
-import json
-import os
 import posixpath
 import re
-import subprocess
-import sys
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
 
-import yaml
 from mipgen import model as m
 from mipgen import naming, render
 from mipgen.problems import Problems
 from mipgen.resolve import load_model
 from mipgen.targets import markdown
-from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, path_of, prose, without_code, words
+from reference import (
+    ANCHOR,
+    LINK,
+    Manual,
+    bullets,
+    cells,
+    made,
+    manual_of,
+    navigation,
+    path_of,
+    prose,
+    without_code,
+    words,
+)
 from support import ROOT, SPECS, model
 
 
@@ -141,17 +146,6 @@ def test_every_page_can_be_reached(manual: Manual) -> None:
         assert {p for p in manual.pages if p.startswith("docs/")} <= seen | {"docs/index.md"}
 
 
-def navigation(manual: Manual) -> list[tuple[str, str]]:
-    """The title and the path of every page of the site."""
-
-    def leaves(entry: Any) -> Iterator[tuple[str, str]]:
-        for child in entry:
-            for title, inside in child.items():
-                yield from [(title, inside)] if isinstance(inside, str) else leaves(inside)
-
-    return list(leaves(yaml.safe_load(manual.files["mkdocs.yml"])["nav"]))
-
-
 def test_navigation_lists_every_page(manual: Manual) -> None:
     listed = [path for _, path in navigation(manual)]
     assert sorted(listed) == sorted(p[5:] for p in manual.pages if p.startswith("docs/"))
@@ -212,35 +206,6 @@ def test_output_is_deterministic() -> None:
     assert first == render.render("markdown", load_model(SPECS["invented"][0])) == manual_of("invented").files
 
 
-def test_site_builds(manual: Manual, tmp_path: Path) -> None:
-    source, site = tmp_path / "markdown", tmp_path / "site"
-    render.write(manual.files, source)
-    done = subprocess.run(
-        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
-        cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stdout + done.stderr
-    titles, descriptions = {}, {}
-    for _, path in navigation(manual):
-        page = (site / path[:-3]).with_suffix(".html").read_text("utf-8")
-        titles[path] = re.findall(r"<title>(.*?)</title>", page)[0]
-        described = re.findall(r'<meta name="description" content="([^"]+)"', page)
-        descriptions[path] = html.unescape(described[0])
-        text = (source / "docs" / path).read_text("utf-8")
-        for anchor in re.findall(r'^<a id="([^"]*)"></a>\n\n#', text, re.M):  # permalink, outline and search use it
-            assert re.search(rf'<h[1-4] id="{re.escape(anchor)}">', page), (path, anchor)
-        assert not re.search(r"<th[^>]*>\s*</th>", page), path
-        if '<div class="filter' in text:
-            assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
-        programs = re.findall(r'^<details class="program"', text, re.M)
-        assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
-    assert len(set(titles.values())) == len(titles)
-    assert len(set(descriptions.values())) == len(descriptions) and max(map(len, descriptions.values())) <= 160
-    index = (site / "search/search_index.json").read_text("utf-8")
-    assert all(f.full_name in index for f in manual.fields)
-    check_search(manual, json.loads(index))
-
-
 def test_hooks_of_the_site() -> None:
     path = ROOT / "generated/markdown/hooks.py"
     spec = importlib.util.spec_from_file_location("hooks", path)
@@ -249,25 +214,6 @@ def test_hooks_of_the_site() -> None:
     spec.loader.exec_module(hooks)
     done = doctest.testmod(hooks)
     assert done.attempted and not done.failed
-
-
-def check_search(manual: Manual, index: dict[str, Any]) -> None:
-    """What people type is in the index as words: descriptors in every form with the field, and known synonyms."""
-    separator = re.compile(index["config"]["separator"])
-    found = {entry["location"]: entry for entry in index["docs"]}
-
-    def tokens(text: str) -> list[str]:
-        return [word.lower() for word in separator.split(text) if word]
-
-    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
-        entry = found[f"fields/{f.set_name}/{f.name}.html"]
-        tags = {token for tag in entry["tags"] for token in tokens(tag)}
-        one, two = f"{f.set:02X}", f"{f.descriptor:02X}"
-        for query in (f"0x{one},0x{two}", f"(0x{one},0x{two})", f"0x{one}{two}", f"{one}{two}", f"{one} {two}"):
-            assert set(tokens(query)) <= tags, (f.full_name, query)
-        assert set(tokens(f.full_name)) <= set(tokens(entry["title"] + " " + entry["text"]))
-    assert not [where for where in found if where.startswith("indexes/")]  # they would be before what they lead to
-    assert any("nack" in tokens(e["text"]) for where, e in found.items() if where.startswith("packets.html"))
 
 
 def test_site_needs_what_is_tested() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import browser
 import pytest
+from queries import QUERIES
 from support import ROOT, heavy
 
 pytestmark = [] if browser.installed() else heavy("chromium")
@@ -29,32 +30,7 @@ def found(page: browser.Page, text: str) -> list[Any]:
     return fields
 
 
-@pytest.mark.parametrize(
-    ("text", "field"),
-    [
-        ("0x0D13", "filter.antenna_offset"),
-        ("0x0D,0x13", "filter.antenna_offset"),
-        ("0D 13", "filter.antenna_offset"),
-        ("82 10", "filter_data.status"),
-        ("(0x82,0x10)", "filter_data.status"),
-        ("80 D3", "shared.gps_timestamp"),
-        ("0xF1", "protocol.acknowledge"),
-        ("nack", "protocol.acknowledge"),
-        ("ack", "protocol.acknowledge"),
-        ("ping", "base.ping"),
-        ("set to idle", "base.set_idle"),
-        ("lever arm", "filter.speed_lever_arm"),
-        ("save settings", "3dm.device_settings"),
-        ("baud rate", "3dm.uart_baud_rate"),
-        ("scaled accelerometer", "sensor.scaled_accel"),
-        ("mip_3dm_pps_source_control_write", "3dm.pps_source_control"),
-        ("MIP_3DM_PPS_SOURCE_GENERATED", "3dm.pps_source_control"),
-        ("PpsSourceControl", "3dm.pps_source_control"),
-        ("sensor::ScaledAccel", "sensor.scaled_accel"),
-        ("poll_imu_message", "3dm.poll_imu_data"),
-        ("mip_3dm_poll_imu_message", "3dm.poll_imu_data"),
-    ],
-)
+@pytest.mark.parametrize(("text", "field"), QUERIES.items())
 def test_what_people_type(page: browser.Page, text: str, field: str) -> None:
     assert found(page, text)[0] == field
 
@@ -65,11 +41,29 @@ def test_nothing_found(page: browser.Page) -> None:
     assert found(page, "") == [] and page.run("document.querySelector('.mip-results').textContent") == ""
 
 
-def test_enter_goes_to_the_first(page: browser.Page) -> None:
+def test_without_a_reference_there_are_no_links(page: browser.Page) -> None:
     found(page, "0x0D13")
+    assert page.run("document.querySelectorAll('.mip-results a').length") == 0
+
+
+@pytest.mark.parametrize(
+    ("field", "href"),
+    [
+        ("filter.antenna_offset", "fields/filter/antenna_offset.html#filter.antenna_offset"),
+        ("3dm.gyro_bias_response", "fields/3dm/gyro_bias.html#3dm.gyro_bias_response"),
+        ("protocol.acknowledge", "packets.html#protocol.acknowledge"),
+    ],
+)
+def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> None:
+    """A response is on the page of its command, and the acknowledge on one of its own."""
+    page.run(
+        "mipPage(mip.finder, {"
+        " fieldPage: 'fields/{set}/{page}.html#{field}', acknowledgePage: 'packets.html#{field}' }); 0"
+    )
+    found(page, field)
     page.run(
         "window.gone = []; document.addEventListener('click', (event) => {"
         " gone.push(event.target.closest('a').getAttribute('href')); event.preventDefault(); }, { once: true })"
     )
     page.run("document.querySelector('form').requestSubmit()")
-    assert page.run("window.gone") == ["../fields/filter/antenna_offset/"]
+    assert page.run("window.gone") == [href]

@@ -29,7 +29,6 @@ READ = """
     notes: [...packet.querySelectorAll(":scope > .mip-note")].map((note) => note.textContent),
     fields: [...packet.querySelectorAll(".mip-field")].map((field) => ({
         name: field.dataset.field,
-        link: field.querySelector("h3 a")?.getAttribute("href") ?? null,
         wrong: field.querySelector(".mip-wrong")?.textContent ?? null,
         rows: [...field.querySelectorAll("tbody tr")].map((row) => ({
             path: row.dataset.path,
@@ -262,11 +261,6 @@ def test_misprints_are_named(page: browser.Page) -> None:
             known += 1
             assert e.packet.hex(" ").upper() in notes[0] and " See " in notes[0], e.id
     assert known > 5
-
-
-def test_links(page: browser.Page) -> None:
-    (shown,) = inspected(page, "756501020201E0C6")
-    assert shown["fields"][0]["link"] == "../fields/base/ping/"
 
 
 def test_the_reading_of_a_device(page: browser.Page) -> None:

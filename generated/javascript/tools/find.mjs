@@ -87,6 +87,7 @@ function spaced(...texts) {
 function entryOf(protocol, field, commands) {
     const [set, name] = field.name.split(".");
     const also = field.also ?? [];
+    const keywords = field.keywords ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
     const names = [
@@ -95,6 +96,7 @@ function entryOf(protocol, field, commands) {
         field.title,
         ...also,
         ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...keywords,
         ...symbols,
         ...short,
     ];
@@ -105,8 +107,8 @@ function entryOf(protocol, field, commands) {
         field,
         squashed: [...new Set(names.map(squash))],
         words: {
-            [TITLE]: spaced(field.title, name, ...also),
-            [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...sections),
+            [TITLE]: spaced(field.title, name, ...also, ...keywords),
+            [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...keywords, ...sections),
             [PARTS]: spaced(...types.map((one) => one.name)),
             [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
         },

@@ -18,13 +18,18 @@ PROGRAM = "node"
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield File("model.js", "model.js.j2", {"text": document.text(model)})
-    yield File("mip.js", "mip.js.j2", language("javascript"))
+    yield from scripts(model)
     yield File("package.json", "package.json.j2")
     taste = model.taste("taste.mjs")
     if taste:
         yield File("taste.mjs", "verbatim.j2", {"text": taste})
     yield File("README.md", "README.md.j2", {"taste": taste.rstrip()})
+
+
+def scripts(model: m.Model, folder: str = "", target: str | None = None) -> Iterator[File]:
+    """What pages with tools need: the model, and the modules as one script. Another target names this one."""
+    yield File(f"{folder}model.js", "model.js.j2", {"text": document.text(model)}, target)
+    yield File(f"{folder}mip.js", "mip.js.j2", language("javascript"), target)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:

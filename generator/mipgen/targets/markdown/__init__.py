@@ -16,6 +16,7 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
+from .. import javascript
 from . import (
     answers,
     comparison,
@@ -31,6 +32,7 @@ from . import (
     related,
     sources,
     text,
+    tools,
     types,
 )
 from .index import Index
@@ -57,6 +59,10 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.TYPES, "types.md.j2", set=None)
     yield page(places.ERRATA, "errata.md.j2")
     yield page(places.EXAMPLES, "examples.md.j2")
+    for tool in tools.TOOLS:
+        yield page(places.tool_page(tool), "tool.md.j2", tool=tool, start=tools.start(tool, model))
+    yield from javascript.scripts(model, tools.FOLDER, "javascript")
+    yield File(f"{tools.FOLDER}tools.css", "runtime/tools/tools.css", target="javascript")
     for s in model.sets:
         yield page(places.set_page(s.name), "set.md.j2", set=s)
         if s.types:
@@ -116,6 +122,7 @@ FILTERS: Filters = {
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
     "of_sections": examples.of_sections,
+    "tools": lambda _: tools.TOOLS,
 }
 
 #: Filters that need the page where they are used: links are relative to it.

@@ -14,6 +14,7 @@ from ...describe import Ref
 from ...guided import Guide
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
+from .tools import Tool
 
 README = "README.md"
 INDEX = "docs/index.md"
@@ -42,7 +43,7 @@ INDEXES = {
 }
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
 
 
 def set_page(name: str) -> str:
@@ -74,6 +75,10 @@ def guide_page(g: Guide) -> str:
     return f"docs/guides/{g.name}.md"
 
 
+def tool_page(tool: Tool) -> str:
+    return f"docs/tools/{tool.name}.md"
+
+
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
     """The page of a thing, and its anchor there."""
     match thing:
@@ -95,6 +100,8 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return ERRATA, f"erratum.{thing.id}"
         case m.Manual():
             return INDEX, f"manual.{thing.id}"
+        case Tool():
+            return tool_page(thing), ""
         case m.Word():
             kind = "frame" if thing in model.protocol.frames else "unit"
             return UNITS, f"{kind}." + re.sub(r"[^a-z0-9]+", "-", thing.title.lower()).strip("-")
@@ -112,7 +119,7 @@ def label(thing: Thing) -> str:
         case m.Field():
             of_set = f"{hexadecimal(thing.set)}," if thing.set else ""  # the acknowledge belongs to all sets
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
-        case m.Device() | m.Word():
+        case m.Device() | m.Word() | Tool():
             return plain(thing.title)
         case Guide():
             return plain(thing.title[0].upper() + thing.title[1:])

@@ -13,15 +13,16 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage` and `options.erratumPage` are addresses with {set}, {field} and {id}
- * in them; without one, there are no links.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
+ * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
     return {
         field(field, ...words) {
-            const [set, name] = field.name.split(".");
-            return link(address(options.fieldPage, { set, field: name }), words.length ? words : [field.title]);
+            const [set, page] = (field.command ?? field.name).split(".");
+            const pattern = field.set ? options.fieldPage : options.acknowledgePage;
+            return link(address(pattern, { set, page, field: field.name }), words.length ? words : [field.title]);
         },
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);

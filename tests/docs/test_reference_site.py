@@ -1,0 +1,428 @@
+"""The site that is built from the pages: what is on it, its search and its tools in Chromium, from disk."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import posixpath
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from typing import TypeVar
+from urllib.parse import unquote
+
+import browser
+import pytest
+from mipgen import render
+from queries import QUERIES
+from reference import manual_of, navigation
+from support import BUILD, ROOT, SPECS, heavy, locked, model, need
+
+pytestmark = pytest.mark.xdist_group("site")  # which is built once
+Test = TypeVar("Test", bound=Callable[..., None])
+each_spec = pytest.mark.parametrize("spec", sorted(SPECS))
+
+
+#: Where the sites are built; it goes when the tests end.
+FOLDER = tempfile.TemporaryDirectory(prefix="mip-site-")
+
+
+def with_tool(tool: str) -> Callable[[Test], Test]:
+    """A test that is left out where a program is missing."""
+    return (lambda test: test) if shutil.which(tool) else heavy(tool)
+
+
+with_node, in_browser = with_tool("node"), with_tool("chromium")
+
+#: One page of each kind, and those with the widest tables.
+PAGES = (
+    "index.html", "packets.html", "errata.html", "examples.html", "units.html",
+    "sets/3dm.html", "sets/filter_data.html", "types/3dm.html",
+    "devices/3dm-cv7-gnss-ins.html", "devices/3dm-gx5-15.html",
+    "fields/3dm/pps_source_control.html", "fields/3dm/event_trigger_config.html", "fields/3dm/message_format.html",
+    "fields/base/continuous_built_in_test.html", "fields/filter_data/status.html",
+    "fields/gnss_1/satellite_status.html",
+    "tools/inspector.html", "tools/builder.html#3dm.event_trigger_config", "tools/bandwidth.html#3dm-cv7-gnss-ins",
+    "tools/finder.html#lever%20arm",
+)  # fmt: skip
+
+
+@cache
+def built(spec: str) -> Path:
+    """The site of a copy of the folder, which has nothing beside it."""
+    source, site = Path(FOLDER.name) / spec / "markdown", Path(FOLDER.name) / spec / "site"
+    render.write(manual_of(spec).files, source)
+    done = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
+        cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    return site
+
+
+def page_of(field: str) -> str:
+    """The address of a field, as the reference of the generator has it."""
+    of = model("real")
+    f = next(f for f in [*of.fields, of.protocol.acknowledge] if f.full_name == field)
+    page = "packets" if not f.set else f"fields/{f.set_name}/{f.command or f.name}"
+    return f"{page}.html#{field}"
+
+
+# --------------------------------------------------------------------------- files
+
+
+@each_spec
+def test_site_builds(spec: str) -> None:
+    manual, site = manual_of(spec), built(spec)
+    titles, descriptions = {}, {}
+    for _, path in navigation(manual):
+        page = (site / path[:-3]).with_suffix(".html").read_text("utf-8")
+        titles[path] = re.findall(r"<title>(.*?)</title>", page)[0]
+        described = re.findall(r'<meta name="description" content="([^"]+)"', page)
+        descriptions[path] = html.unescape(described[0])
+        text = manual.pages[f"docs/{path}"]
+        for anchor in re.findall(r'^<a id="([^"]*)"></a>\n\n#', text, re.M):  # permalink, outline and search use it
+            assert re.search(rf'<h[1-4] id="{re.escape(anchor)}">', page), (path, anchor)
+        assert not re.search(r"<th[^>]*>\s*</th>", page), path
+        if '<div class="filter' in text:
+            assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
+        programs = re.findall(r'^<details class="program"', text, re.M)
+        assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
+    assert len(set(titles.values())) == len(titles)
+    assert len(set(descriptions.values())) == len(descriptions) and max(map(len, descriptions.values())) <= 160
+
+
+@each_spec
+def test_pages_load_nothing_from_elsewhere(spec: str) -> None:
+    for path in built(spec).rglob("*.html"):
+        if path.name == "404.html":  # its addresses are those of a server
+            continue
+        page = path.read_text("utf-8")
+        loaded = re.findall(r"<(?:script|img|iframe|source)\b[^>]*\bsrc=[\"']?([^\"'\s>]+)", page)
+        loaded += re.findall(r"<link\b(?![^>]*rel=\"canonical\")[^>]*\bhref=[\"']?([^\"'\s>]+)", page)
+        for address in loaded:
+            there = posixpath.normpath(path.parent / unquote(address.partition("#")[0].partition("?")[0]))
+            assert Path(there).is_file() or Path(there).is_dir(), (path.name, address)
+
+
+@each_spec
+def test_text_for_the_search(spec: str) -> None:
+    """Each page with its sections, whose anchors are on it; nothing of a page is missing."""
+    manual, site = manual_of(spec), built(spec)
+    script = (site / "assets/text.js").read_text("utf-8")
+    texts = json.loads(script.removeprefix("globalThis.mipText = ").removesuffix(";\n"))
+    listed = (path for _, path in navigation(manual) if not path.startswith("indexes/"))  # which lead to the others
+    assert sorted(url for url, _, _ in texts) == sorted(f"{path[:-3]}.html" for path in listed)
+    titles = [title for _, title, _ in texts]
+    assert all(titles) and len(set(titles)) == len(titles)
+    for url, _, sections in texts:
+        page = (site / url).read_text("utf-8")
+        assert all(f'id="{anchor}"' in page for anchor, _, _ in sections[1:]), url
+        assert all(heading and "¶" not in heading and "<" not in heading for _, heading, _ in sections[1:]), url
+    everything = " ".join(text for _, _, sections in texts for _, _, text in sections)
+    assert all(f.full_name in everything for f in manual.fields)
+
+
+@each_spec
+@pytest.mark.parametrize("name", ["inspector", "builder", "bandwidth", "finder"])
+def test_tools_have_pages(spec: str, name: str) -> None:
+    site = built(spec)
+    page = (site / f"tools/{name}.html").read_text("utf-8")
+    assert f'data-tool="{name}"' in page and 'src="../assets/site.js"' in page
+    assert all((site / "assets" / file).is_file() for file in ("site.js", "mip.js", "model.js", "tools.css", "text.js"))
+    assert f'href="tools/{name}.html"' in (site / "index.html").read_text("utf-8")
+
+
+def test_scripts_are_those_of_javascript() -> None:
+    for spec, (_, out) in SPECS.items():
+        files = manual_of(spec).files
+        for name, path in (("mip.js", "mip.js"), ("model.js", "model.js"), ("tools.css", "tools/tools.css")):
+            assert files[f"docs/assets/{name}"] == (out / "javascript" / path).read_bytes(), (spec, name)
+
+
+@with_node
+def test_what_people_type_in_the_index() -> None:
+    """Of the scripts of the site, without a browser."""
+    assets = ROOT / "generated/markdown/docs/assets"
+    script = (
+        "const fs = require('node:fs'); for (const name of ['model', 'mip'])"
+        " (0, eval)(fs.readFileSync(`${process.argv[1]}/${name}.js`, 'utf8'));"
+        " const index = mip.indexOf(new mip.Protocol(mipModel)); const queries = JSON.parse(process.argv[2]);"
+        " console.log(JSON.stringify(queries.map((text) => mip.find(index, text, 1)[0]?.field.name)));"
+    )
+    done = subprocess.run(
+        [need("node"), "-e", script, str(assets), json.dumps(list(QUERIES))], capture_output=True, text=True, check=True
+    )
+    assert dict(zip(QUERIES, json.loads(done.stdout), strict=True)) == QUERIES
+
+
+def test_keywords_find_their_fields_first() -> None:
+    """A keyword is a query that the author of a specification has answered; several fields may have it."""
+    wanted: dict[str, set[str]] = {}
+    for f in model("real").fields:
+        for word in f.keywords:
+            wanted.setdefault(word, set()).add(f.full_name)
+    assert len(wanted) > 40
+    names = {f.full_name for f in model("real").fields} | {f.title.lower() for f in model("real").fields}
+    assert not names & set(wanted)
+    assert all(QUERIES[word] in fields for word, fields in wanted.items() if word in QUERIES)
+
+
+# --------------------------------------------------------------------------- in a browser
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[browser.Page]:
+    """No network: what is not on disk is missing, and is noticed."""
+    with browser.page() as opened:
+        opened.call(
+            "Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1
+        )
+        yield opened
+        assert opened.complaints == []
+        asked = [url for url in opened.asked if not url.startswith(("data:", "about:"))]
+        assert asked and all(url.startswith("file://") for url in asked), asked
+
+
+def go(page: browser.Page, address: str, spec: str = "real") -> None:
+    path, _, fragment = address.partition("#")
+    page.open("about:blank")  # another fragment alone loads nothing
+    page.open((built(spec) / path).as_uri() + (f"#{fragment}" if fragment else ""))
+    if path.startswith("tools/"):
+        wait(page, "document.querySelector('.mip-tool :is(input, select, textarea)')")
+
+
+def wait(page: browser.Page, condition: str) -> None:
+    page.run(
+        "new Promise((done, failed) => { const end = Date.now() + 60000; const look = () => {"
+        f" if ({condition}) done(); else if (Date.now() > end) failed(Error('in vain')); else setTimeout(look, 20); }};"
+        " look(); })"
+    )
+
+
+def typed(page: browser.Page, text: str) -> None:
+    """Types into the search of the page, and waits until pages are found, too."""
+    page.run(
+        "(() => { const input = document.querySelector('.mip-search input'); input.focus();"
+        f" input.value = {json.dumps(text)}; input.dispatchEvent(new Event('input')); }})()"
+    )
+    wait(
+        page, "globalThis.mipText && document.querySelector('.mip-search [role=status]').textContent.includes('found')"
+    )
+
+
+def results(page: browser.Page) -> list[str]:
+    """The addresses of what is found, within the site."""
+    hrefs: list[str] = page.run("[...document.querySelectorAll('.mip-search a')].map((link) => link.href)")
+    return [unquote(href.removeprefix(f"{built('real').as_uri()}/")) for href in hrefs]
+
+
+@in_browser
+def test_what_people_type(page: browser.Page) -> None:
+    """In the header of a page, from disk: the first result is the page of the field."""
+    go(page, "fields/base/ping.html")
+    first = {}
+    for query in QUERIES:
+        typed(page, query)
+        first[query] = results(page)[0]
+    assert first == {query: page_of(field) for query, field in QUERIES.items()}
+
+
+@in_browser
+@pytest.mark.parametrize("address", PAGES)
+def test_every_page_has_the_search(page: browser.Page, address: str) -> None:
+    go(page, address)
+    assert page.run("document.querySelectorAll('header .mip-search input').length") == 1
+    typed(page, "0x0D13")
+    assert results(page)[0] == "fields/filter/antenna_offset.html#filter.antenna_offset"
+
+
+@in_browser
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("big-endian", "packets.html#numbers"),
+        ("units and frames", "units.html"),
+        ("3DM-CV7-GNSS/INS", "devices/3dm-cv7-gnss-ins.html"),
+        ("cv7-pps-disabled", "errata.html#erratum.cv7-pps-disabled"),
+    ],
+)
+def test_text_of_pages_is_found(page: browser.Page, text: str, wanted: str) -> None:
+    go(page, "index.html")
+    typed(page, text)
+    assert wanted in results(page)
+
+
+@in_browser
+def test_nothing_is_found(page: browser.Page) -> None:
+    go(page, "index.html")
+    typed(page, "xyzzy")
+    assert results(page) == []
+    assert page.run("document.querySelector('.mip-search [role=status]').textContent") == "Nothing found."
+
+
+@in_browser
+def test_search_by_keyboard(page: browser.Page) -> None:
+    go(page, "fields/base/ping.html")
+
+    def press(key: str) -> None:
+        page.run(
+            "document.activeElement.dispatchEvent(new KeyboardEvent('keydown',"
+            f" {{ key: {key!r}, bubbles: true, cancelable: true }}))"
+        )
+
+    press("/")
+    assert page.run("document.activeElement.matches('.mip-search input')")
+    typed(page, "nack")
+    press("ArrowDown")
+    focused = page.run("document.activeElement.getAttribute('href')")
+    assert focused.endswith("packets.html#protocol.acknowledge")
+    press("ArrowUp")
+    press("Escape")
+    assert page.run("document.querySelector('.mip-search__output').hidden")
+    assert page.run("document.activeElement.matches('.mip-search input')")
+    page.run("document.querySelector('.mip-search').requestSubmit(); 0")
+    page.browser.wait_for("Page.loadEventFired")
+    assert page.run("location.href").endswith("packets.html#protocol.acknowledge")
+
+
+def shown(page: browser.Page, selector: str) -> list[str]:
+    """Links of a tool, whose pages and anchors are there."""
+    hrefs: list[str] = page.run(f"[...document.querySelectorAll({selector!r})].map((link) => link.href)")
+    found = []
+    for href in hrefs:
+        address = unquote(href.removeprefix(f"{built('real').as_uri()}/"))
+        path, _, anchor = address.partition("#")
+        assert f'id="{anchor}"' in (built("real") / path).read_text("utf-8"), address
+        found.append(address)
+    return found
+
+
+@in_browser
+def test_inspector_links_to_the_reference(page: browser.Page) -> None:
+    """A command, its acknowledge and its response, and the errata of the field."""
+    go(page, "tools/inspector.html#75650C04042801041B55" + "75650C0704F1280003A801B681")
+    found = shown(page, ".mip-field h3 a")
+    assert found[0] == page_of("3dm.pps_source_control") and found[1] == page_of("protocol.acknowledge")
+    assert found[2] == page_of("3dm.pps_source_control_response")
+    assert "errata.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
+
+
+@in_browser
+def test_pages_lead_to_the_tools(page: browser.Page) -> None:
+    go(page, "fields/3dm/pps_source_control.html")
+    builder = page.run("document.querySelector('article a[href*=\"tools/builder\"]').href")
+    assert builder.endswith("/tools/builder.html#3dm.pps_source_control")
+    bytes_ = page.run("document.querySelector('.mip-packet-cell code').textContent")
+    inspector = unquote(page.run("document.querySelector('.mip-inspect').href"))
+    assert inspector.endswith(f"/tools/inspector.html#{bytes_}") and bytes_.startswith("75 65 0C")
+    go(page, f"tools/builder.html#{builder.partition('#')[2]}")
+    assert page_of("3dm.pps_source_control") in shown(page, ".mip-tool h2 a")
+    go(page, f"tools/inspector.html#{inspector.partition('#')[2]}")
+    assert page.run("document.querySelector('.mip-packet').dataset.bytes") == bytes_
+    go(page, "tools/finder.html#nack")
+    assert shown(page, ".mip-results a")[0] == page_of("protocol.acknowledge")
+
+
+@in_browser
+def test_tools_of_another_specification(page: browser.Page) -> None:
+    for name in ("inspector", "builder", "bandwidth", "finder"):
+        go(page, f"tools/{name}.html", "invented")
+        assert page.run("document.querySelector('.mip-tool').children.length") > 0
+
+
+#: Elements that are wider than the window, but for what scrolls by itself; and tables that neither fit nor scroll.
+WIDE = """
+(() => {
+    const scrolls = ".md-typeset__scrollwrap, .mip-scroll, pre > code, .tabbed-labels";
+    const wide = [...document.querySelectorAll("article *")].filter(
+        (one) => one.getBoundingClientRect().right > innerWidth + 1 && !one.parentElement.closest(scrolls),
+    );
+    const stuck = [...document.querySelectorAll("article table")].filter((table) => {
+        const box = table.closest(scrolls) ?? table.parentElement;
+        return box.scrollWidth > box.clientWidth + 1 && !/auto|scroll/.test(getComputedStyle(box).overflowX);
+    });
+    return [...wide, ...stuck].slice(0, 5).map((one) => one.outerHTML.slice(0, 120));
+})()
+"""
+
+
+@in_browser
+@pytest.mark.parametrize("width", [390, 1400, 1920])
+def test_pages_fit_the_window(page: browser.Page, width: int) -> None:
+    page.size(width)
+    try:
+        for address in PAGES:
+            go(page, address)
+            page.run("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+            assert page.run("document.documentElement.scrollWidth") <= width, address
+            assert page.run(WIDE) == [], address
+    finally:
+        page.size(1400)
+
+
+@in_browser
+def test_printed_tables_fit_the_paper(page: browser.Page) -> None:
+    """They cannot scroll there."""
+    page.call("Emulation.setEmulatedMedia", media="print")
+    page.size(703)  # A4 without its margins, at 96 dots per inch
+    try:
+        for address in PAGES:
+            if address.startswith("tools/"):
+                continue
+            go(page, address)
+            edge = "document.querySelector('article').getBoundingClientRect().right + 1"
+            tables = "[...document.querySelectorAll('article table')]"
+            over = f"{tables}.filter((table) => table.getBoundingClientRect().right > {edge})"
+            assert page.run(f"{over}.map((table) => table.outerHTML.slice(0, 120))") == [], address
+    finally:
+        page.call("Emulation.setEmulatedMedia", media="")
+        page.size(1400)
+
+
+@in_browser
+def test_links_are_told_by_more_than_colour(page: browser.Page) -> None:
+    go(page, "fields/3dm/pps_source_control.html")
+    links = "[...document.querySelectorAll('article :is(p, td, li) a[href]')]"
+    plain = page.run(f"{links}.filter((a) => !getComputedStyle(a).textDecorationLine.includes('underline')).length")
+    assert page.run(f"{links}.length") > 10 and plain == 0
+
+
+@heavy("chromium and npm")
+def test_no_serious_findings_of_axe(page: browser.Page) -> None:
+    """axe-core looks for what keeps people from reading a page: in both schemes, wide and narrow."""
+    folder = BUILD / "axe"
+    with locked(folder):
+        folder.mkdir(exist_ok=True)
+        for name in ("package.json", "package-lock.json"):
+            shutil.copy(Path(__file__).parent / "axe" / name, folder)
+        subprocess.run([need("npm"), "ci", "--silent", "--ignore-scripts"], cwd=folder, check=True)
+    axe = (folder / "node_modules/axe-core/axe.min.js").read_text("utf-8")
+    look = (
+        "axe.run(document, { resultTypes: ['violations'], preload: false }).then(({ violations }) =>"
+        " violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)).map(({ id, nodes }) =>"
+        " `${id}: ${nodes.length}: ${nodes[0].html.slice(0, 160)}`))"
+    )
+    still = "*, ::before, ::after { transition: none !important }"  # colours that change slowly are no findings
+    found = []
+    for address in PAGES:
+        if address == "examples.html":  # which has the tables of other pages, in great number
+            continue
+        page.size(1400)
+        go(page, address)
+        page.run(
+            f"{axe}; document.head.append(Object.assign(document.createElement('style'), {{ textContent: {still!r} }}))"
+        )
+        for width, scheme in ((1400, "default"), (390, "default"), (390, "slate")):
+            page.size(width)
+            page.run(f"document.body.dataset.mdColorScheme = {scheme!r}")
+            page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
+            found += [(address, width, scheme, finding) for finding in page.run(look)]
+    page.size(1400)
+    assert found == []

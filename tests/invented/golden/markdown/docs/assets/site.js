@@ -1,0 +1,241 @@
+// The tools of the site, and the search at the top of its pages. Everything is loaded from the folder of this script, when
+// it is needed, by scripts: pages that are opened from disk may not fetch.
+(() => {
+    const assets = new URL(".", document.currentScript.src).href;
+    const site = new URL("..", assets).href;
+    const addresses = {
+        fieldPage: `${site}fields/{set}/{page}.html#{field}`,
+        acknowledgePage: `${site}packets.html#{field}`,
+        erratumPage: `${site}errata.html#erratum.{id}`,
+    };
+    const loading = new Map();
+
+    /** Loads a script of this folder once. */
+    function load(name) {
+        if (!loading.has(name)) {
+            const script = document.createElement("script");
+            script.src = assets + name;
+            const loaded = new Promise((done, failed) => Object.assign(script, { onload: done, onerror: failed }));
+            document.head.append(script);
+            loading.set(name, loaded);
+        }
+        return loading.get(name);
+    }
+
+    /** The specification, for all tools of this page. */
+    let known;
+    async function protocol() {
+        await Promise.all([load("mip.js"), load("model.js")]);
+        known ??= new mip.Protocol(mipModel);
+        return known;
+    }
+
+    function element(tag, attributes, ...children) {
+        const made = document.createElement(tag);
+        for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+        made.append(...children);
+        return made;
+    }
+
+    // ------------------------------------------------------------------------------------------------ tools
+
+    async function fill(tool) {
+        const show = async () => {
+            const given = decodeURIComponent(location.hash.slice(1)) || tool.dataset.start;
+            mip[tool.dataset.tool](tool, await protocol(), { ...addresses, [tool.dataset.option]: given });
+        };
+        await protocol();
+        await show();
+        addEventListener("hashchange", show);
+    }
+
+    /** From the page of a field to the tools: the builder begins with the field, the inspector with the bytes. */
+    function linkTools() {
+        const field = document.querySelector("article :is(h1, a)[id*='.']")?.id;
+        for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
+            if (field) link.hash = field;
+        }
+        for (const code of document.querySelectorAll("article :is(td, pre) > code")) {
+            const bytes = code.textContent.trim();
+            if (!/^75 65( [0-9A-F]{2}){4,}$/.test(bytes)) continue;
+            const href = `${site}tools/inspector.html#${encodeURIComponent(bytes)}`;
+            const link = element("a", { href, class: "mip-inspect", "aria-label": `Inspect ${bytes.slice(0, 17)} …` }, "inspect");
+            if (code.parentElement.tagName === "PRE") code.parentElement.after(link);
+            else code.after(" ", link);
+            code.closest("td")?.classList.add("mip-packet-cell");
+        }
+    }
+
+    /** What scrolls by itself can be reached by the keyboard. */
+    function reachable() {
+        for (const box of document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")) {
+            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+            else box.removeAttribute("tabindex");
+        }
+    }
+
+    // ------------------------------------------------------------------------------------------------ search
+
+    const FIELDS = 8;
+    const PASSAGES = 10;
+    const OF_A_PAGE = 3;
+
+    function wordsOf(text) {
+        return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
+    }
+
+    /** The sections of all pages that have all words, the best first: in a heading, in the title, in the text. */
+    function passages(text, without) {
+        const words = [...new Set(wordsOf(text))];
+        if (!words.length || words.join("").length < 2) return [];
+        const patterns = words.map((word) => new RegExp(`(?<![a-z0-9])${word}`));
+        const found = [];
+        for (const [url, title, sections] of globalThis.mipText ?? []) {
+            if (without.has(url)) continue;
+            const ranked = [];
+            for (const [anchor, heading, content] of sections) {
+                const places = [heading || title, title, content].map((place) => place.toLowerCase());
+                const ranks = patterns.map((pattern) => places.findIndex((place) => pattern.test(place)));
+                // A heading of the page is enough: the title alone is no reason to show each of its sections.
+                if (ranks.includes(-1) || (heading && ranks.every((rank) => rank === 1))) continue;
+                const whole = places.findIndex((place) => place.includes(text.toLowerCase()));
+                const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0);
+                ranked.push({ rank, url, title, anchor, heading, content, patterns });
+            }
+            found.push(...ranked.sort((a, b) => a.rank - b.rank).slice(0, OF_A_PAGE));
+        }
+        return found.sort((a, b) => a.rank - b.rank).slice(0, PASSAGES);
+    }
+
+    /** What stands around the first of the words. */
+    function excerpt({ content, patterns }) {
+        const lower = content.toLowerCase();
+        const at = Math.min(...patterns.map((pattern) => lower.search(pattern)).filter((place) => place >= 0), lower.length);
+        const from = at < 60 ? 0 : content.indexOf(" ", at - 60) + 1;
+        return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
+    }
+
+    /** Without responses of commands that come before them: they are on the same page. */
+    function fieldsOf(found) {
+        const names = found.map(({ name }) => name);
+        return found.filter(({ command }, i) => !command || !names.slice(0, i).includes(command));
+    }
+
+    function addressOf(field) {
+        const [set, page] = (field.command ?? field.name).split(".");
+        const page_ = field.set ? `fields/${set}/${page}.html` : "packets.html";
+        return { page: page_, href: `${site}${page_}#${field.name}` };
+    }
+
+    function fieldItem(field) {
+        const hex = (number) => `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
+        const descriptor = field.set ? `${hex(field.set)},${hex(field.descriptor)}` : hex(field.descriptor);
+        const link = element("a", { href: addressOf(field).href }, element("strong", {}, field.title), ` (${descriptor})`);
+        const item = element("li", { "data-field": field.name }, link, ` ${field.role} `, element("code", {}, field.name));
+        if (field.description) item.append(element("div", {}, field.description));
+        return item;
+    }
+
+    function passageItem(passage) {
+        const href = `${site}${passage.url}${passage.anchor ? `#${passage.anchor}` : ""}`;
+        const words = passage.heading ? `${passage.title}: ${passage.heading}` : passage.title;
+        return element("li", {}, element("a", { href }, words), element("div", {}, excerpt(passage)));
+    }
+
+    function count(number, word) {
+        return number ? `${number} ${word}${number === 1 ? "" : "s"}` : "";
+    }
+
+    function list(title, items) {
+        return items.length ? [element("h2", {}, title), element("ul", {}, ...items)] : [];
+    }
+
+    function search(header) {
+        const label = "Search: a descriptor, a name, a symbol, words";
+        const input = element("input", {
+            type: "search",
+            "aria-label": label,
+            placeholder: "0x0D13, PPS …",
+            autocomplete: "off",
+            spellcheck: "false",
+        });
+        const status = element("p", { role: "status" });
+        const results = element("div", {});
+        const output = element("div", { class: "mip-search__output", hidden: "" }, status, results);
+        const form = element("form", { class: "mip-search", role: "search", "aria-label": "This site" }, input, output);
+        let index;
+
+        const show = () => {
+            const text = input.value.trim();
+            output.hidden = !text;
+            if (!text || !index) {
+                results.replaceChildren();
+                status.textContent = text ? "Loading …" : "";
+                return;
+            }
+            const fields = fieldsOf(mip.find(index, text, 2 * FIELDS).map(({ field }) => field)).slice(0, FIELDS);
+            const parts = passages(text, new Set(fields.map((field) => addressOf(field).page)));
+            results.replaceChildren(...list("Fields", fields.map(fieldItem)), ...list("Pages", parts.map(passageItem)));
+            const counts = [count(fields.length, "field"), count(parts.length, "passage")].filter(Boolean);
+            status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
+        };
+        const begin = async () => {
+            if (index) return;
+            const of = await protocol();
+            index ??= mip.indexOf(of);
+            show();
+            await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
+            if (document.activeElement === input) show();
+        };
+        const links = () => [...results.querySelectorAll("a")];
+
+        input.addEventListener("focus", () => {
+            begin();
+            output.hidden = !input.value.trim();
+        });
+        input.addEventListener("input", () => {
+            begin();
+            show();
+        });
+        form.addEventListener("focusout", (event) => {
+            if (!form.contains(event.relatedTarget)) output.hidden = true;
+        });
+        form.addEventListener("submit", async (event) => {
+            event.preventDefault();
+            await begin();
+            links()[0]?.click();
+        });
+        form.addEventListener("keydown", (event) => {
+            const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+            if (event.key === "Escape") {
+                input.focus();
+                output.hidden = true;
+            } else if (step) {
+                const stops = [input, ...links()];
+                stops[Math.max(0, Math.min(stops.length - 1, stops.indexOf(document.activeElement) + step))].focus();
+                event.preventDefault();
+            }
+        });
+        results.addEventListener("click", (event) => {
+            if (event.target.closest("a")) output.hidden = true; // the target may be on this page
+        });
+        document.addEventListener("keydown", (event) => {
+            const typing = event.target.closest("input, textarea, select, [contenteditable]");
+            if (typing || event.ctrlKey || event.metaKey || event.altKey || (event.key !== "/" && event.key !== "s")) return;
+            event.preventDefault();
+            input.focus();
+        });
+        header.append(form);
+    }
+
+    function begin() {
+        const header = document.querySelector(".md-header__inner");
+        if (header) search(header);
+        document.querySelectorAll("[data-tool]").forEach(fill);
+        linkTools();
+        new ResizeObserver(reachable).observe(document.querySelector("article") ?? document.body);
+    }
+
+    if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
+    else begin();
+})();
