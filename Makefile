@@ -69,7 +69,8 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
-PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
+# Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
+PYTEST = PYTHONDONTWRITEBYTECODE= $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
@@ -99,8 +100,15 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
 	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
 
+# The formatter and linter of JavaScript, pinned by its npm lock; people without npm leave it out.
+BIOME := $(BUILD)/biome/node_modules/.bin/biome
+
+$(BUILD)/biome/stamp: tests/javascript/biome/package-lock.json
+	@! command -v npm >/dev/null 2>&1 || { echo "installing biome"; mkdir -p $(@D); cp $(<D)/package*.json $(@D); cd $(@D) && npm ci --silent --no-audit --no-fund --ignore-scripts; }
+	@mkdir -p $(@D) && touch $@
+
 .PHONY: check
-check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
+check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(MIPGEN) check --spec tests/invented/spec --out tests/invented/golden
 	@$(MIPGEN) diff --release --spec $(SPEC)
@@ -111,7 +119,8 @@ check: tools-check $(VENV)/development.stamp ## validate, compare generated/ wit
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
 	@find $(OUT)/c templates/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
-	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt; nothing was left out"
+	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
+	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
 
 .PHONY: docs
 docs: $(VENV)/development.stamp ## build the reference as a searchable site in build/site

@@ -32,7 +32,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.parent.name == "rust":
             item.add_marker(pytest.mark.xdist_group("cargo"))
-    items.sort(key=lambda item: item.path.parent.name != "rust")
+    items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
 
 
 def pytest_deselected(items: list[pytest.Item]) -> None:

@@ -173,6 +173,16 @@ def driver(language: str, spec: str) -> Driver:
     return Driver(language, done.stdout.splitlines()[-1].split(), environment)
 
 
+def mypy(package: Path, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """Checks with a Python package on the path, strictly. What is known of the package is kept for the next check."""
+    known = BUILD / "mypy" / package.parent.name
+    with locked(known):
+        return subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", "--cache-dir", known, *arguments],
+            cwd=package, capture_output=True, text=True,
+        )  # fmt: skip
+
+
 # --------------------------------------------------------------------------- the reference's answers
 
 

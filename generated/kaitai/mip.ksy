@@ -2586,7 +2586,7 @@ types:
     seq:
       - id: setting
         type: u1
-        doc: Value for the sensor range command.
+        doc: "Value for `mip_3dm_sensor_range`."
       - id: range_value
         -orig-id: range
         type: f4
@@ -2599,7 +2599,7 @@ types:
         doc: "Receiver, counted from 1. Range: at least 1."
       - id: mip_data_descriptor_set
         type: u1
-        doc: "Descriptor set of the data of this receiver. Range: 128 to 254."
+        doc: "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."
       - id: description
         type: str
         size: 32
@@ -2648,7 +2648,7 @@ types:
     doc: Resume. Ends idle mode and returns the device to the mode that it was in before.
   base_get_extended_descriptors:
     -orig-id: base.get_extended_descriptors
-    doc: Get device descriptors (extended). Gets the supported descriptors that did not fit into the reply of get device descriptors.
+    doc: "Get device descriptors (extended). Gets the supported descriptors that did not fit into the reply of `base_get_device_descriptors`."
   base_continuous_built_in_test:
     -orig-id: base.continuous_built_in_test
     doc: Continuous built-in test. Gets the flags of the tests that run all the time. It does not interrupt operation.
@@ -2831,10 +2831,10 @@ types:
         doc: Sentences to send.
   mip_3dm_get_imu_base_rate:
     -orig-id: 3dm.get_imu_base_rate
-    doc: Get IMU Data Base Rate. Gets the rate that is divided by the decimations of the IMU message format.
+    doc: "Get IMU Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_imu_message_format`."
   mip_3dm_get_gnss_base_rate:
     -orig-id: 3dm.get_gnss_base_rate
-    doc: Get GNSS Data Base Rate. Gets the rate that is divided by the decimations of the GNSS message format.
+    doc: "Get GNSS Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_gnss_message_format`."
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
     doc: IMU Message Format. Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -2900,7 +2900,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_get_filter_base_rate:
     -orig-id: 3dm.get_filter_base_rate
-    doc: Get Estimation Filter Data Base Rate. Gets the rate that is divided by the decimations of the estimation filter message format.
+    doc: "Get Estimation Filter Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_filter_message_format`."
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
     doc: NMEA Message Format. NMEA sentences that the device streams.
@@ -2928,7 +2928,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: "Data descriptor set. Range: 128 to 254."
+        doc: "Data descriptor set. Range: 0x80 to 0xFE."
       - id: suppress_ack
         type: u1
         doc: Send no acknowledge.
@@ -2948,7 +2948,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: "Data descriptor set. Range: 128 to 254."
+        doc: "Data descriptor set. Range: 0x80 to 0xFE."
   mip_3dm_message_format:
     -orig-id: 3dm.message_format
     doc: Message Format. Fields of the data packets of a descriptor set, in order, with their decimations.

@@ -32,11 +32,15 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Gives headings their anchors and programs their tabs, and a page its description."""
     text = _ANCHORED.sub(r"\2 { #\1 }", markdown)
     page.meta.setdefault("description", description(text))
+    if '<div class="filter devices">' in text:  # their tables need the room
+        page.meta.setdefault("hide", ["toc"])
     return _PROGRAM.sub(_tab, text)
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search."""
+    if page.file.src_uri.startswith("indexes/"):  # a search finds what they lead to
+        return content
     title, *parts = sections(content)
     _texts[page.url] = [page.url, title[1] or page.title, [["", "", title[2]], *parts]]
     return content

@@ -622,7 +622,7 @@ S["event_threshold_interval"] = {
 }
 S["event_trigger_threshold"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the watched value." },
-  { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor of the watched value." },
+  { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor of the watched value. Refers to fields of descriptor_set." },
   { kind = "scalar", name = "parameter_id", type = "u8", size = 1, doc = "Number of the value in its field, counted from 1; each element of a vector counts. Range: at least 1." },
   { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_threshold_type"], doc = "Kind of comparison." },
   { kind = "switch", name = "thresholds", tag = "type", doc = "What the value is compared with.", cases = {
@@ -641,7 +641,7 @@ S["event_action_message"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the packet." },
   { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by this value. At each activation, a packet is sent immediately and the count restarts." },
   { kind = "counter", name = "num_fields", type = "u8", size = 1, doc = "Number of fields in the packet. Range: 0 to 12." },
-  { kind = "array", name = "descriptors", counter = "num_fields", capacity = 249, size = 1, doc = "Field descriptors, in order.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+  { kind = "array", name = "descriptors", counter = "num_fields", capacity = 249, size = 1, doc = "Field descriptors, in order. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
 }
 S["nmea_message"] = {
   { kind = "scalar", name = "message_id", type = "u8", size = 1, enum = E["nmea_message_id"], doc = "The sentence." },
@@ -685,12 +685,12 @@ S["3dm.event_action_status_entry"] = {
   { kind = "scalar", name = "trigger_id", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
 }
 S["3dm.sensor_range_entry"] = {
-  { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Value for the sensor range command." },
+  { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Value for 3dm.sensor_range." },
   { kind = "scalar", name = "range", type = "float", size = 4, doc = "Largest measurable value." },
 }
 S["gnss.receiver_info_entry"] = {
   { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-  { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 128 to 254." },
+  { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE." },
   { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, separated by a comma." },
 }
 S["aiding.measurement_time"] = {
@@ -772,7 +772,7 @@ field(0x01, { descriptor = 0x06, name = "base.resume", role = "command", title =
     rows = rows("base.resume", {
     }) })
 field(0x01, { descriptor = 0x07, name = "base.get_extended_descriptors", role = "command", title = "Get device descriptors (extended)",
-    doc = "Gets the supported descriptors that did not fit into the reply of get device descriptors.", least = 0,
+    doc = "Gets the supported descriptors that did not fit into the reply of base.get_device_descriptors.", least = 0,
     always = 0,
     rows = rows("base.get_extended_descriptors", {
     }) })
@@ -858,7 +858,7 @@ field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", t
     rows = rows("3dm.poll_imu_data", {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS Data",
     doc = "Requests one GNSS data packet with the listed fields, in the listed order.", least = 2,
@@ -867,7 +867,7 @@ field(0x0C, { descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", 
     rows = rows("3dm.poll_gnss_data", {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 83." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll Estimation Filter Data",
     doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order.", least = 2,
@@ -876,7 +876,7 @@ field(0x0C, { descriptor = 0x03, name = "3dm.poll_filter_data", role = "command"
     rows = rows("3dm.poll_filter_data", {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA Data",
     doc = "Requests the listed NMEA sentences once.", least = 2,
@@ -888,12 +888,12 @@ field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", 
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
     }) })
 field(0x0C, { descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the IMU message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.imu_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_imu_base_rate", {
     }) })
 field(0x0C, { descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the GNSS message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.gnss_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_gnss_base_rate", {
     }) })
@@ -902,24 +902,24 @@ field(0x0C, { descriptor = 0x08, name = "3dm.imu_message_format", role = "comman
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.imu_message_format", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
+      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS Message Format",
     doc = "Fields of the GNSS data packets, in order, with their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.gnss_message_format", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
+      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation Filter Message Format",
     doc = "Fields of the filter data packets (0x82), in order, with their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.filter_message_format", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
+      { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the estimation filter message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.filter_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_filter_base_rate", {
     }) })
@@ -935,16 +935,16 @@ field(0x0C, { descriptor = 0x0D, name = "3dm.poll_data", role = "command", title
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_data", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 128 to 254." },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x0C, { descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
     doc = "Gets the rate that is divided by the decimations of a descriptor set.", least = 1,
     always = 1,
     rows = rows("3dm.get_base_rate", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 128 to 254." },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
     }) })
 field(0x0C, { descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message Format",
     doc = "Fields of the data packets of a descriptor set, in order, with their decimations.", least = 1,
@@ -952,7 +952,7 @@ field(0x0C, { descriptor = 0x0F, name = "3dm.message_format", role = "command", 
     rows = rows("3dm.message_format", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." }, } },
-      { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
+      { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory Streaming",
     doc = "Sets all message formats to those that technical support needs in a recording.", least = 2,
@@ -1175,7 +1175,7 @@ field(0x0C, { descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "comma
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = rows("3dm.imu_low_pass_filter", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
@@ -1211,7 +1211,7 @@ field(0x0C, { descriptor = 0x54, name = "3dm.low_pass_filter", role = "command",
     rows = rows("3dm.low_pass_filter", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." }, } },
@@ -1228,21 +1228,21 @@ field(0x0C, { descriptor = 0x80, name = "3dm.imu_message_format_response", role 
     always = 2,
     rows = rows("3dm.imu_message_format_response", {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     }) })
 field(0x0C, { descriptor = 0x81, name = "3dm.gnss_message_format_response", role = "response", title = "GNSS Message Format response",
     doc = "", least = 1,
     always = 2,
     rows = rows("3dm.gnss_message_format_response", {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     }) })
 field(0x0C, { descriptor = 0x82, name = "3dm.filter_message_format_response", role = "response", title = "Estimation Filter Message Format response",
     doc = "", least = 1,
     always = 2,
     rows = rows("3dm.filter_message_format_response", {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     }) })
 field(0x0C, { descriptor = 0x83, name = "3dm.get_imu_base_rate_response", role = "response", title = "Get IMU Data Base Rate response",
     doc = "", least = 2,
@@ -1279,7 +1279,7 @@ field(0x0C, { descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role
     doc = "", least = 6,
     always = 5,
     rows = rows("3dm.imu_low_pass_filter_response", {
-      { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17." },
+      { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz." },
@@ -1305,7 +1305,7 @@ field(0x0C, { descriptor = 0x8F, name = "3dm.message_format_response", role = "r
     rows = rows("3dm.message_format_response", {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     }) })
 field(0x0C, { descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic Device Status",
     doc = "State and timer.", least = 13,
@@ -1696,7 +1696,7 @@ field(0x0C, { descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "
     always = 5,
     rows = rows("3dm.low_pass_filter_response", {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
-      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0." },
+      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." },

@@ -35,8 +35,8 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
         files = {} if problems else render.render(source, model)
         return Output(source.name, source.load().TITLE, files, problems)
 
-    for source in sources:
-        source.load()  # once, and not in each process
+    from . import templating  # noqa: F401 (Jinja and targets are imported once, and not in each process)
+
     first = sorted(sources, key=lambda source: not getattr(source.load(), "LONG", False))
     made = {output.name: output for output in parallel.each(one, first)}
     _raise([found for output in made.values() for found in output.problems])

@@ -21,7 +21,7 @@ TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies, clocks):
+    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies, clocks, fields_of):
         check(model, problems)
 
 
@@ -29,6 +29,19 @@ def check_evidence(model: m.Model, problems: Problems) -> None:
     """Checks that make sense only once the definitions are right."""
     for check in (descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
+
+
+def fields_of(model: m.Model, problems: Problems) -> None:
+    """What says of which set field descriptors are: a parameter beside them, or the name of a set."""
+    records: list[m.Field | m.Struct] = [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
+    for record in records:
+        sets = {p.name for p in record.parameters if p.shown == "set"}
+        names = {s.name for s in model.sets}
+        for p in record.parameters:
+            if p.fields_of and p.fields_of not in sets | names:
+                near = nearest(p.fields_of, sorted(sets | names))
+                message = f"'{p.fields_of}' is neither the name of a set nor a parameter with shown: set{near}"
+                problems.add(p.position, message)
 
 
 # --------------------------------------------------------------------------- sets and names

@@ -299,6 +299,13 @@ def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
                 _write(member, value, out)
 
 
+def put(op: m.Operation, value: Any) -> bytes:
+    """The bytes of one value, without what other values of its record say of it."""
+    out = bytearray()
+    _put(op, value, {}, out)
+    return bytes(out)
+
+
 def _check_count(op: m.TextOp | m.ArrayOp, value: Any) -> None:
     if (op.count is not None and len(value) != op.count) or len(value) > op.capacity:
         raise CodecError("count", f"{op.member} has {len(value)} elements")

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from . import descriptors
 from . import model as m
 from .checks import computed_length
 from .references import DESCRIPTOR
@@ -182,7 +183,7 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
     if p.deprecated:
         found.append(_fact("deprecated", (), "Deprecated."))
     if p.constant is not None:
-        found.append(_fact("constant", (str(p.constant),), "Always {}."))
+        found.append(_fact("constant", (_number(p, p.constant),), "Always {}."))
     if p.reserved is not None:
         sent = not isinstance(record, m.Field) or record.role == m.COMMAND
         value = (str(p.reserved),) if sent else ()
@@ -193,12 +194,22 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
     if isinstance(p.element, m.Vector):
         found.append(_fact("elements", (", ".join(p.element.elements),), "Elements: {}."))
+    if p.fields_of:
+        found.append(_fact("fields_of", (_owner(p, beside, record, model),), "Refers to fields of {}."))
     found += _measures(p, p, model)
     if p.valid:
         found.append(_valid(p.valid, p, record))
     found += _presence(p, record)
     found += [fact for _, fact in variants(p, record, model)]
     return [*found, *_remarks(p, model)]
+
+
+def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: Record, model: m.Model) -> str | Ref:
+    """The set whose field descriptors a parameter holds, which a part of a specification may lack."""
+    if p.fields_of in beside:
+        return Ref(beside[p.fields_of], p.fields_of, record)
+    found = next((s for s in model.sets if s.name == p.fields_of), None)
+    return Ref(found, found.title) if found else p.fields_of
 
 
 def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -209,7 +220,7 @@ def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> It
         word = next(w for w in model.protocol.frames if w.symbol == of.frame)
         yield _fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
     above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
-    bounds = limits(of.minimum, of.maximum, above, below)
+    bounds = limits(of.minimum, of.maximum, above, below, lambda x: _number(p, x))
     if isinstance(of, m.Parameter) and of.magnitude != (None, None):
         bounds = ", ".join(filter(None, (bounds, f"magnitude {limits(*of.magnitude)}")))
     if bounds:
@@ -221,7 +232,9 @@ def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> It
 Bound = float | int | None
 
 
-def limits(low: Bound, high: Bound, above: Bound = None, below: Bound = None) -> str:
+def limits(
+    low: Bound, high: Bound, above: Bound = None, below: Bound = None, text: Callable[[float | int], str] | None = None
+) -> str:
     """Bounds in words; a value may be `low` and `high` themselves, but neither `above` nor `below`.
 
     >>> limits(1, 2.5), limits(0, None), limits(None, 10)
@@ -229,10 +242,16 @@ def limits(low: Bound, high: Bound, above: Bound = None, below: Bound = None) ->
     >>> limits(None, 10, above=0), limits(None, None, below=1)
     ('greater than 0, at most 10', 'less than 1')
     """
+    text = text or number
     if low is not None and high is not None:
-        return f"{number(low)} to {number(high)}"
+        return f"{text(low)} to {text(high)}"
     words = (("at least", low), ("greater than", above), ("at most", high), ("less than", below))
-    return ", ".join(f"{word} {number(bound)}" for word, bound in words if bound is not None)
+    return ", ".join(f"{word} {text(bound)}" for word, bound in words if bound is not None)
+
+
+def _number(p: m.Parameter, value: float | int) -> str:
+    """A number of a parameter, in the form that people know."""
+    return descriptors.hexadecimal(p, int(value)) if p.shown else number(value)
 
 
 def default(value: object, p: m.Parameter) -> Text:
@@ -247,7 +266,7 @@ def default(value: object, p: m.Parameter) -> Text:
             bits = {b.name: b for b in p.element.bits}
             return joined([(Ref(bits[name], name, p.element),) for name in value]) if value else ("0",)
         return _interleaved([default(v, p) for v in value], ", ")
-    return (number(value),)
+    return (_number(p, value) if isinstance(value, (int, float)) else str(value),)
 
 
 def _valid(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str | None = None) -> Fact:
@@ -318,7 +337,7 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
         assert isinstance(named, (m.Enum, m.Bitfield))
         parts.append(("only ", *joined([(Ref(x, x.name, named),) for x in v.only])))
     if v.constant is not None:
-        parts.append((f"always {v.constant}",))
+        parts.append((f"always {_number(p, v.constant)}",))
     for fact in _measures(v, p, model):
         parts.append((f"{fact.topic} ", *fact.value))
     if v.valid is not None:

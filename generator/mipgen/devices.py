@@ -264,8 +264,9 @@ class _Device:
         explicit = own is not None and own.valid is not None
         path = f"{f.full_name}.{p.name}"
         if explicit:
-            node = self.node["varies"][path]
-            if node["valid"].value is not None:
+            varies = self.node.get("varies")
+            node = varies.get(path) if varies is not None else None  # None: of the device that it is like
+            if node is not None and node["valid"].value is not None:
                 meaning.valid_bits(node, p, f.parameters, self.problems.add)
         for word in dict.fromkeys((own.valid or ()) if own and explicit else p.valid):
             name, dot, bit = word.partition(".")

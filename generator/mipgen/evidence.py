@@ -31,8 +31,8 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
     return tuple(found.values())
 
 
-class _Wrong(Exception):
-    """Why an example cannot be read, and where."""
+class Wrong(Exception):
+    """Why an example, or a step of a guide, cannot be read, and where."""
 
     def __init__(self, place: m.Position, message: str) -> None:
         super().__init__(message)
@@ -54,7 +54,7 @@ class _Example:
             table = self.octets("table")
             packet = self.packet(table)
             fields = self.fields(packet)
-        except _Wrong as wrong:
+        except Wrong as wrong:
             self.problems.add(wrong.place, str(wrong))
             return None
         return m.Example(
@@ -95,7 +95,7 @@ class _Example:
         digits = "".join(text.split())
         if len(digits) % 2 or not digits:
             what = "is empty" if not digits else f"has an odd number of digits, {len(digits)}"
-            raise _Wrong(self.node[key].position, f"'{key}' {what}; give two digits for each byte")
+            raise Wrong(self.node[key].position, f"'{key}' {what}; give two digits for each byte")
         pairs = [digits[i : i + 2] for i in range(0, len(digits), 2)]
         return tuple(None if "?" in p else int(p, 16) for p in pairs)
 
@@ -118,32 +118,32 @@ class _Example:
         else:
             packet = _known(given, place)
         if "set" in self.node and packet[2:3] != bytes([self.node["set"].value]):
-            raise _Wrong(self.node["set"].position, f"the packet is of the set 0x{packet[2:3].hex().upper()}")
+            raise Wrong(self.node["set"].position, f"the packet is of the set 0x{packet[2:3].hex().upper()}")
         return packet
 
     def number(self, what: str) -> int:
         """The descriptor set that an example without a packet names."""
         if "set" not in self.node:
-            raise _Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
+            raise Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
         found: int = self.node["set"].value
         return found
 
     def computed(self) -> bytes:
         number = self.number("an example without bytes")
         if not self.node.scalar("fields"):
-            raise _Wrong(self.node["id"].position, "an example without bytes needs 'fields' with all values")
+            raise Wrong(self.node["id"].position, "an example without bytes needs 'fields' with all values")
         parts = []
         for entry in self.node["fields"]:
             name, values = self.entry(entry)
             if name is None:
                 parts.append(self.raw(values))
                 continue
-            field = self.named(name, entry)
-            stated = self.canonical(field, values)
+            field = field_named(self.model, name, entry.position)
+            stated = stated_values(field, values)
             try:
-                data = codec.encode(field, _with_counters(field.operations, stated))
+                data = codec.encode(field, with_counters(field.operations, stated))
             except codec.CodecError as error:
-                raise _Wrong(values.position, f"'{name}' cannot be encoded: {error}") from error
+                raise Wrong(values.position, f"'{name}' cannot be encoded: {error}") from error
             parts.append((field.descriptor, data))
         return self.built(number, parts, self.node.keys["fields"])
 
@@ -151,7 +151,7 @@ class _Example:
         try:
             return codec.build(self.model, number, parts)
         except codec.CodecError as error:
-            raise _Wrong(place, f"the fields do not make a packet: {error}") from error
+            raise Wrong(place, f"the fields do not make a packet: {error}") from error
 
     # ----------------------------------------------------------------------- fields
 
@@ -160,7 +160,7 @@ class _Example:
         if isinstance(node.value, str):
             return node.value, Node({}, node.position)
         if not node.value:
-            raise _Wrong(
+            raise Wrong(
                 node.position, "this entry is empty; write a field's name, its name and values, or raw and its bytes"
             )
         name, values = next(node.items())
@@ -168,32 +168,12 @@ class _Example:
             return None, values
         return name, values if values.value is not None else Node({}, values.position)
 
-    def named(self, name: str, node: Node) -> m.Field:
-        field = self.model.field(name)
-        if field is None:
-            known = [f.full_name for f in self.model.fields] + [self.model.protocol.acknowledge.full_name]
-            raise _Wrong(node.position, f"unknown field '{name}'{nearest(name, known)}")
-        return field
-
     def raw(self, node: Node) -> tuple[int, bytes]:
         try:
             data = bytes.fromhex(node.value)
         except (TypeError, ValueError):
-            raise _Wrong(node.position, "raw must be bytes in hexadecimal, in quotes") from None
+            raise Wrong(node.position, "raw must be bytes in hexadecimal, in quotes") from None
         return _as_field(data, node.position)
-
-    def canonical(self, field: m.Field, node: Node) -> codec.Values:
-        """The stated values in the form of the conformance protocol."""
-        values = node.plain()
-        if isinstance(values, dict):
-            # Constants may be stated for readability; they are not values.
-            for p in field.parameters:
-                if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
-                    raise _Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
-        try:
-            return codec.canonical_record(field.operations, values, field.full_name)
-        except ValueError as error:
-            raise _Wrong(node.position, str(error)) from error
 
     def fields(self, packet: bytes) -> tuple[m.ExampleField, ...]:
         whole = next((self.node[k].position for k in ("packet", "bytes", "string", "table") if k in self.node), None)
@@ -204,11 +184,11 @@ class _Example:
             printed = (
                 "" if "packet" in self.node else "; if the manual shows it this way, give the correct bytes in 'packet'"
             )
-            raise _Wrong(place, f"this is not a packet: {error}{printed}") from error
+            raise Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
-            raise _Wrong(self.node.keys["fields"], f"{listed} listed, but the packet holds {there}")
+            raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet holds {there}")
         found = []
         for i, (descriptor, data) in enumerate(split):
             field = codec.choose(self.model.candidates(packet[2], descriptor), data)
@@ -228,35 +208,58 @@ class _Example:
             values, trailing = codec.decode(field, data)
             again = codec.encode(field, values) + data[len(data) - trailing :]
         except codec.CodecError as error:
-            raise _Wrong(place, f"'{field.full_name}' does not decode: {error}") from error
+            raise Wrong(place, f"'{field.full_name}' does not decode: {error}") from error
         if again != data:
-            raise _Wrong(place, f"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}")
+            raise Wrong(place, f"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}")
         return values, trailing
 
     def check_role(self, field: m.Field, place: m.Position) -> None:
         role = self.node["role"].value
         if role != "field" and role != ROLES[field.role]:
             message = f"the role is {role}, but '{field.full_name}' comes in packets of the role {ROLES[field.role]}"
-            raise _Wrong(place, message)
+            raise Wrong(place, message)
 
     def stated(self, node: Node, field: m.Field | None, descriptor: int, data: bytes) -> codec.Values | None:
         name, values = self.entry(node)
         if name is None:
             if self.raw(values) != (descriptor, data):
                 holds = bytes((len(data) + 2, descriptor)) + data
-                raise _Wrong(values.position, f"the packet holds {holds.hex(' ').upper()} here")
+                raise Wrong(values.position, f"the packet holds {holds.hex(' ').upper()} here")
             return None
-        named = self.named(name, node)
+        named = field_named(self.model, name, node.position)
         if field is None or field.full_name != named.full_name:
             found = f"'{field.full_name}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
-            raise _Wrong(node.position, f"'{name}' is listed, but the packet holds {found}")
-        return self.canonical(named, values)
+            raise Wrong(node.position, f"'{name}' is listed, but the packet holds {found}")
+        return stated_values(named, values)
 
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
         for name, value in stated.items():
             if values.get(name) != value:
                 message = f"{field.full_name}.{name} is {values.get(name)!r} in the bytes, but {value!r} is stated"
-                raise _Wrong(node.value_at([field.full_name, name]), message)
+                raise Wrong(node.value_at([field.full_name, name]), message)
+
+
+def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:
+    """The field of this name."""
+    field = model.field(name)
+    if field is None:
+        known = [f.full_name for f in model.fields] + [model.protocol.acknowledge.full_name]
+        raise Wrong(place, f"unknown field '{name}'{nearest(name, known)}")
+    return field
+
+
+def stated_values(field: m.Field, node: Node) -> codec.Values:
+    """The stated values in the form of the conformance protocol."""
+    values = node.plain()
+    if isinstance(values, dict):
+        # Constants may be stated for readability; they are not values.
+        for p in field.parameters:
+            if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
+                raise Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
+    try:
+        return codec.canonical_record(field.operations, values, field.full_name)
+    except ValueError as error:
+        raise Wrong(node.position, str(error)) from error
 
 
 def _digits(text: str) -> int:
@@ -266,17 +269,17 @@ def _digits(text: str) -> int:
 def _known(octets: Octets, place: m.Position) -> bytes:
     """The bytes, if none is open."""
     if None in octets:
-        raise _Wrong(place, "the manual leaves bytes open; give 'packet' with all bytes except the checksum")
+        raise Wrong(place, "the manual leaves bytes open; give 'packet' with all bytes except the checksum")
     return bytes(x or 0 for x in octets)
 
 
 def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
     if len(data) < 2 or data[0] != len(data):
-        raise _Wrong(place, f"{data.hex(' ')} is not a field: its first byte must be its length, {len(data)}")
+        raise Wrong(place, f"{data.hex(' ')} is not a field: its first byte must be its length, {len(data)}")
     return data[1], data[2:]
 
 
-def _with_counters(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
+def with_counters(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
     """Adds counters that the author left out."""
     found = dict(values)
     for op in operations:

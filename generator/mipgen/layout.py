@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-from . import meaning, variation
+from . import codec, meaning, variation
 from . import model as m
 from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
@@ -395,6 +395,8 @@ class _Build:
             any_unit="unit" in node and node["unit"].value is None,
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
+            shown=node.scalar("shown"),
+            fields_of=node.scalar("fields_of", ""),
             valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
             required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
@@ -454,10 +456,11 @@ class _Build:
         ]
         self.check_size()
         capacities = self.capacities()
-        parameters = tuple(
+        self.done = [
             p if (op := with_capacity(p.operation, capacities)) is p.operation else replace(p, operation=op)
             for p in self.done
-        )
+        ]
+        parameters = tuple(self.typical(node, p) for node, p in zip(self.nodes, self.done, strict=True))
         if self.functions:
             return self.with_selector(parameters)
         first = next((i for i, p in enumerate(parameters) if p.optional), len(parameters))
@@ -477,6 +480,22 @@ class _Build:
             sum(size(o)[0] for o in always),
             min(m.MAX_FIELD_DATA, sum(size(p.operation)[1] for p in parameters)),
         )
+
+    def typical(self, node: Node, p: m.Parameter) -> m.Parameter:
+        """The parameter with its typical value, in the form of the codec."""
+        meaning.check_shown(node, p, self.problem)
+        if "typical" not in node:
+            return p
+        meaning.check_typical(node, p, self.problem)
+        given = node["typical"]
+        try:
+            value = codec.canonical(p.operation, given.plain(), p.name)
+        except ValueError:
+            return p  # reported
+        if isinstance(p.operation, (m.ArrayOp, m.TextOp)) and len(value) > p.operation.capacity:
+            most = p.operation.capacity
+            self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {most} fit")
+        return replace(p, typical=value)
 
     def vouch(self, whole: Node) -> None:
         """`valid` of the field: for each value that has none of its own, and is neither the flags nor derived."""

@@ -29,6 +29,7 @@ LAYOUT = {
     "examples": "examples/*.yaml",
     "errata": "errata/*.yaml",
     "simulation": "simulation/*.yaml",
+    "guide": "guides/*.yaml",
 }
 
 #: A file with several devices or families, and under which keys it has them.

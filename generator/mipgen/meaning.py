@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 
 from . import model as m
@@ -164,6 +165,28 @@ def check_default(given: Node, p: m.Parameter, problem: Problem) -> None:
     _Default(p, problem).check(given)
 
 
+def check_typical(node: Node, p: m.Parameter, problem: Problem) -> None:
+    """Reports a `typical` value that the parameter cannot have, or that follows from others."""
+    if p.derived or p.reserved is not None or p.element is None:
+        why = "it has one value" if p.counts is None else f"'{p.counts}' says how many there are"
+        why = "its cases may have one each" if p.element is None else why
+        problem(node.keys["typical"], f"'{p.name}' has no typical value: {why}; remove it")
+    else:
+        _Default(p, problem, "typical value").check(node["typical"])
+
+
+def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
+    """Reports a number that is no number of a set or a field, or that is never shown."""
+    what, whole = p.shown, isinstance(p.element, m.Scalar) and p.element.kind == "unsigned"
+    if what is not None and not whole:
+        problem(node.keys["shown"], f"'{p.name}' is not an unsigned number; remove 'shown'")
+    elif what in ("set", "field") and isinstance(p.element, m.Scalar) and p.element.size != 1:
+        problem(node.keys["shown"], f"'{p.name}' is {p.element.name}, but the number of a {what} is u8; write hex")
+    members = p.element.parameters if isinstance(p.element, m.Struct) else (p,)
+    if p.fields_of and not any(q.shown == "field" for q in members):
+        problem(node.keys["fields_of"], f"'{p.name}' holds no field descriptor; mark it by shown: field")
+
+
 def in_numbers(value: object, element: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> object:
     """A checked default with the numbers of named values and bits; lists as tuples."""
     if isinstance(element, m.Enum) and isinstance(value, str):
@@ -175,12 +198,15 @@ def in_numbers(value: object, element: m.Scalar | m.Enum | m.Bitfield | m.Vector
 
 
 class _Default:
-    def __init__(self, p: m.Parameter, problem: Problem) -> None:
+    """A default, or another value that an author gives; `what` it is called."""
+
+    def __init__(self, p: m.Parameter, problem: Problem, what: str = "default") -> None:
         self.p = p
         self.problem = problem
+        self.what = what
 
     def wrong(self, node: Node, wanted: str) -> None:
-        self.problem(node.position, f"the default of '{self.p.name}' must be {wanted}")
+        self.problem(node.position, f"the {self.what} of '{self.p.name}' must be {wanted}")
 
     def check(self, node: Node) -> None:
         p = self.p
@@ -223,15 +249,31 @@ class _Default:
                     self.wrong(node, f"{wanted} of '{element.name}', or a number")
             case m.Scalar():
                 self.number(node, element)
+            case m.Struct() if self.what != "default":
+                self.members(node, element)
+            case m.Bitfield() if self.what != "default":
+                if not isinstance(value, str) or not re.fullmatch(f"[0-9A-Fa-f]{{{2 * element.size}}}", value):
+                    self.wrong(node, f"{2 * element.size} hexadecimal digits in quotes")
             case _:
                 self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
+
+    def members(self, node: Node, element: m.Struct) -> None:
+        if not isinstance(node.value, dict):
+            self.wrong(node, f"a mapping of members of '{element.name}' to values")
+            return
+        known = {q.name: q for q in element.parameters if not q.derived and q.element is not None}
+        for name, item in node.items():
+            if name in known:
+                _Default(known[name], self.problem, self.what).check(item)
+            else:
+                self.problem(node.keys[name], f"'{element.name}' has no member '{name}'{nearest(name, known)}")
 
     def length(self, node: Node) -> None:
         low, high = self.p.magnitude
         numbers = [x for x in node.plain() if isinstance(x, (int, float))]
         if not (low or 0) <= math.hypot(*numbers) <= (math.inf if high is None else high):
             wrong = f"the magnitude {math.hypot(*numbers):g}, outside of [{_end(low)}, {_end(high)}]"
-            self.problem(node.position, f"the default of '{self.p.name}' has {wrong}")
+            self.problem(node.position, f"the {self.what} of '{self.p.name}' has {wrong}")
 
     def named(self, node: Node, name: object, owner: str, what: str, known: list[str]) -> None:
         if name not in known:
@@ -244,15 +286,19 @@ class _Default:
                 self.wrong(node, "true or false")
         elif not isinstance(value, (int, float)) or isinstance(value, bool):
             self.wrong(node, "a number")
-        elif _fits(node, scalar, f"the default of '{p.name}'", self.problem):
+        elif _fits(node, scalar, f"the {self.what} of '{p.name}'", self.problem):
             low, high = p.minimum, p.maximum
             if (low is not None and value < low) or (high is not None and value > high):
                 span = f"[{_end(low)}, {_end(high)}]"
-                self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
+                self.problem(node.position, f"the {self.what} of '{p.name}' is {value}, outside its range {span}")
             if p.above is not None and value <= p.above:
-                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be greater than {p.above}")
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be greater than {p.above}"
+                )
             if p.below is not None and value >= p.below:
-                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be less than {p.below}")
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be less than {p.below}"
+                )
 
 
 def _end(bound: Number | None) -> str:

@@ -16,12 +16,16 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, Literal, TypeVar
 
+from .guided import Guide
 from .simulated import Simulation
 
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
 DATA: Final = "data"
 Role = Literal["command", "response", "data"]
+
+#: How a number that people know in hexadecimal is meant: as such, as that of a descriptor set, as a field descriptor.
+Shown = Literal["hex", "set", "field"]
 
 Key = TypeVar("Key")
 Item = TypeVar("Item")
@@ -276,6 +280,9 @@ class Parameter:
     below: float | int | None = None
     magnitude: tuple[float | int | None, float | int | None] = (None, None)  # least and most length of a vector
     default: object = None
+    typical: object = None  # a value that a user would send or see, in the form of the codec; of a structure, members
+    shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field
+    fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
     valid: tuple[
         str, ...
     ] = ()  # what says that it is valid: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
@@ -818,6 +825,7 @@ class Model:
     examples: tuple[Example, ...] = ()
     errata: tuple[Erratum, ...] = ()
     simulation: Simulation = field(default_factory=Simulation)
+    guides: tuple[Guide, ...] = ()
     tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def taste(self, name: str) -> str:

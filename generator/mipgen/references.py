@@ -11,19 +11,25 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
 
 #: Keys with texts for readers, and those with quotations of a manual.
-PROSE = ("description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text")
+PROSE = (
+    "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text", "question",
+    "answer", "why", "before", "on_event",
+)  # fmt: skip
 QUOTATIONS = ("printed", "right")
 
 DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")
 
 _CODE = re.compile(r"`([^`]*)`")
 _NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)?")
+_COMMAND = re.compile(r"((?:[^\s.,;:]+\s+){1,8})commands?\b", re.IGNORECASE)
+_REPLY = re.compile(r"\b(?:answer|reply|response)s? (?:of|to) (?:the )?((?:[^\s.,;:]+[\s.,;:]*){1,8})", re.IGNORECASE)
 _BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.\w+(?![\w*])")
 
 
@@ -69,6 +75,21 @@ class _Names:
             if "_" in found[0] or self.known(found[0]):
                 self.problem(node.position, f"'{found[0]}' is a name; put it in backticks: `{found[0]}`")
 
+        for title in self.titled(plain):
+            names = " or ".join(f"`{name}`" for name in self.titles[title.lower()])
+            self.problem(node.position, f"'{title}' is the title of a command; write {names}")
+
+    def titled(self, text: str) -> Iterator[str]:
+        """Commands that are named by their titles, as "the device reset command" or "the reply to device reset"."""
+        for found in _COMMAND.finditer(text):
+            words = found[1].split()
+            tails = (" ".join(words[at:]) for at in range(len(words)))
+            yield from islice((x for x in tails if x.lower() in self.titles), 1)
+        for found in _REPLY.finditer(text):
+            words = [word.rstrip(".,;:") for word in found[1].split()]
+            heads = (" ".join(words[:end]) for end in range(len(words), 0, -1))
+            yield from islice((x for x in heads if x.lower() in self.titles), 1)
+
     def quotation(self, node: Node, erratum: Node) -> None:
         """Descriptors that do not exist may be quoted where an erratum says that they do not."""
         claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
@@ -95,6 +116,16 @@ class _Names:
     def known(self, name: str) -> bool:
         """Is it the name of a field or a type, or of a descriptor without a layout?"""
         return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
+
+    @cached_property
+    def titles(self) -> dict[str, list[str]]:
+        """The titles of commands, and their names in words -> full names."""
+        found: dict[str, list[str]] = {}
+        for f in self.model.fields:
+            if f.role == m.COMMAND:
+                for words in {f.title.lower(), *(name.replace("_", " ") for name in (f.name, *f.also))}:
+                    found.setdefault(words, []).append(f.full_name)
+        return found
 
     @cached_property
     def full_names(self) -> set[str]:

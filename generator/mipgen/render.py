@@ -37,9 +37,10 @@ class File:
 class Target(Protocol):
     """The interface of a target's module.
 
-    It may also have FORMATTER, a `formatting.Formatter`, and MAX_IDENTIFIER, how many characters of a name its
-    language looks at; and for its conformance driver CONFORMANCE, the operations that it offers, NEEDS, tools other
-    than Python, a C compiler and cargo, and PROGRAM, a program without which it does not run.
+    It may also have FORMATTER, a `formatting.Formatter`; MAX_IDENTIFIER, how many characters of a name its language
+    looks at; LONG, true if it takes longer than others, so that it is begun first; and for its conformance driver
+    CONFORMANCE, the operations that it offers, NEEDS, tools other than Python, a C compiler and cargo, and PROGRAM, a
+    program without which it does not run.
     """
 
     TITLE: str  # "C99", shown by `mipgen generate`

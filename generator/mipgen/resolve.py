@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from . import checks, devices, evidence, loader, references, simulation
+from . import checks, devices, evidence, guides, loader, references, simulation
 from . import model as m
 from .layout import Types
 from .nodes import Node
@@ -47,6 +47,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
         checks.check_evidence(model, problems)
         simulated = simulation.resolve(roots["simulation"], roots["protocol"][0]["units"], model, problems)
         model = replace(model, simulation=simulated)
+        model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
         references.check((root for found in roots.values() for root in found), model, problems)
     problems.raise_if_any()
     tastes = sorted(p for p in (spec / "taste").glob("*") if p.is_file())

@@ -7,7 +7,7 @@ field or of a response shows one of them. Likewise a command has an *effect* by 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .model import Field
@@ -21,6 +21,7 @@ class Quantity:
     unit: str | None
     elements: int
     description: str
+    typical: Any = None  # a typical value: a number, several, a text, or a list
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from . import meaning
+from . import codec, meaning, typical
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
@@ -17,10 +17,7 @@ FOR_EACH = "for_each"
 
 def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
     """Joins all files; each name may be given once."""
-    quantities = tuple(
-        Quantity(name, _unit(n, units, problems), n.scalar("elements", 1), n["description"].value)
-        for name, n, _ in _entries(roots, "quantities", problems)
-    )
+    quantities = tuple(_quantity(name, n, units, problems) for name, n, _ in _entries(roots, "quantities", problems))
     effects = tuple(
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
         for name, n, _ in _entries(roots, "effects", problems)
@@ -45,6 +42,16 @@ def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[t
                 continue
             seen[name] = at
             yield name, node, at
+
+
+def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantity:
+    elements = node.scalar("elements", 1)
+    typical = node.get("typical")
+    found = typical.plain() if typical else None
+    if typical and elements > 1 and not (isinstance(found, list) and len(found) == elements):
+        problems.add(typical.position, f"the typical value of '{name}' must be a list of {elements} numbers")
+        found = None
+    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, found)
 
 
 def _unit(node: Node, units: Node, problems: Problems) -> str | None:
@@ -113,7 +120,9 @@ class _Values:
     def value(self, path: str, node: Node, p: m.Parameter) -> Value:
         if not isinstance(node.value, dict):
             q = self.quantity(node)
-            return Value(path, node.value, self.factor(q, p, node) if q else 1.0)
+            factor = self.factor(q, p, node) if q else 1.0
+            self.check_typical(q, p, factor, node)
+            return Value(path, node.value, factor)
         ((kind, n),) = node.items()
         if kind == "number":
             return Value(path, number=n.value)
@@ -130,6 +139,15 @@ class _Values:
                     entry.position, f"'{path}' has no {what} '{entry.value}'{nearest(entry.value, known)}"
                 )
         return Value(path, names=names) if kind == "name" else Value(path, bits=names)
+
+    def check_typical(self, q: Quantity | None, p: m.Parameter, factor: float, node: Node) -> None:
+        if q is None or q.typical is None:
+            return
+        try:
+            value = typical.shown(p, q.typical, factor)
+            codec.put(p.operation, value)
+        except (ValueError, codec.CodecError) as error:
+            self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
 
     def factor(self, q: Quantity, p: m.Parameter, node: Node) -> float:
         """From the unit of the quantity to that of the parameter, whose elements may have several."""

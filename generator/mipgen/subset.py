@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from . import model as m
 from .errors import Failure
+from .guided import Guide
 from .problems import nearest
 
 
@@ -104,17 +105,26 @@ def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.M
     kept = {acknowledge.full_name: acknowledge, **fields}
     examples = tuple(e for e in model.examples if all(x.field is None or x.field in kept for x in e.fields))
     printed = {e.id for e in examples}
+    whole = tuple(_device(d, sets, kept) for d in devices)
     return replace(
         model,
         protocol=replace(model.protocol, acknowledge=acknowledge),
         types=tuple(t for t in model.types if isinstance(t, m.Vector) or _key(t) in types),
         sets=tuple(sets.values()),
-        devices=tuple(_device(d, sets, kept) for d in devices),
+        devices=whole,
         examples=examples,
         errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
         simulation=model.simulation.only(kept),
+        guides=_guides(model.guides, kept, whole),
         tastes=(),  # they may use any field
     )
+
+
+def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
+    """What remains of the guides; they name only each other."""
+    found = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
+    names = {g.name for g in found}
+    return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in found)
 
 
 def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:

@@ -1,6 +1,8 @@
 """Typical values of fields, for what shows how they are used: packets and programs in documentation.
 
-They are those of the first example that states them, else defaults, and what is simple and within its range.
+A value is, in this order: that of an example in a manual, what the specification states as `typical`, what a simulated
+device shows, the factory default, what a new device has set. Where there is none of these, it is simple and within its
+range; `made_up` lists those.
 """
 
 from __future__ import annotations
@@ -8,12 +10,14 @@ from __future__ import annotations
 import math
 import re
 import struct
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 from . import codec
 from . import model as m
+from .simulated import Value
 
 TEXT = "text"
 
@@ -24,12 +28,87 @@ class Typical:
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
         """The values that a field requires if it is sent in this way, in the form of the codec."""
+        return self._made(f, call, [])
+
+    def whole(self, f: m.Field, call: m.Call) -> codec.Values:
+        """The same without the function, and with those that are optional."""
+        found = self.values(f, call)
+        if call.optional:
+            asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
+            found = _Record(asked, self._stated(f) | found, []).values()
+        return {name: value for name, value in found.items() if name != "function" or not f.selector}
+
+    def made_up(self, f: m.Field, call: m.Call) -> list[str]:
+        """The parameters among these, and members of their structures, whose values nothing states."""
+        found: list[str] = []
+        self._made(f, call, found)
+        return found
+
+    def _made(self, f: m.Field, call: m.Call, made_up: list[str]) -> codec.Values:
         found: codec.Values = {"function": call.function.value} if call.function else {}
         printed = self._printed.get((f.full_name, found.get("function")), {})
         needed = [p for p in call.required if p.constant is None]
         if needed and all(p.name in printed for p in needed):
             return found | {p.name: printed[p.name] for p in needed}
-        return found | record(tuple(needed))
+        return found | _Record(tuple(needed), self._stated(f), made_up).values()
+
+    def _stated(self, f: m.Field) -> codec.Values:
+        """What is known of its values one by one, in the form of the codec; those of structures may lack members."""
+        by_name = {p.name: p for p in f.parameters}
+        found: codec.Values = {}
+        for b in self.model.simulation.behaviors:
+            if b.command is f:
+                for name, value in b.initial:
+                    if value is not None:
+                        _state(found, by_name[name], value)
+        for p in f.parameters:
+            if p.default is not None:
+                _state(found, p, p.default)
+        found |= self._asked(f)
+        found |= self._simulated(f)
+        for (name, _), values in self._printed.items():
+            if name == f.full_name and f.role == m.COMMAND:
+                found |= {key: value for key, value in values.items() if key != "function"}
+        return found | {p.name: p.typical for p in f.parameters if p.typical is not None}
+
+    def _asked(self, f: m.Field) -> codec.Values:
+        """Of a response: what its command sets, where it is answered with the same."""
+        command = self.model.field(f"{f.set_name}.{f.command}") if f.command else None
+        if command is None:
+            return {}
+        same = {p.name: p for p in command.counted if p.constant is None}
+        values = self.values(command, command.calls[0])
+        found = {
+            p.name: values[p.name]
+            for p in f.parameters
+            if p.name in values and (p.element, p.length, p.cases) == _form(same[p.name])
+        }
+        return found | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
+
+    def _simulated(self, f: m.Field) -> codec.Values:
+        """What a simulated device shows, and flags that say that it is valid."""
+        source = self._sources.get(f.full_name) or self._sources.get(f.definition or "")
+        if source is None:
+            return {}
+        found: codec.Values = {}
+        for v in source:
+            p = _at(f.parameters, v.path)
+            value = None if p is None else self._shown(v, p)
+            if value is not None:
+                _place(found, v.path, value)
+        for flags, bits in _valid(f.parameters).items():
+            found.setdefault(flags, bits)
+        return found
+
+    def _shown(self, v: Value, p: m.Parameter) -> Any:
+        if v.names or v.bits:
+            return _named(p, v)
+        given: Any = v.number if v.number is not None else v.text
+        if v.quantity:
+            given = self._quantities[v.quantity]
+        if given is None:
+            return None
+        return shown(p, given, v.factor)
 
     def shown(self, f: m.Field) -> list[m.Call]:
         """The ways to send a command that show how it is used: its first one, and the first that requests values."""
@@ -56,6 +135,14 @@ class Typical:
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
 
     @cached_property
+    def _quantities(self) -> dict[str, Any]:
+        return {q.name: q.typical for q in self.model.simulation.quantities}
+
+    @cached_property
+    def _sources(self) -> dict[str, tuple[Value, ...]]:
+        return {s.field.full_name: s.values for s in self.model.simulation.sources}
+
+    @cached_property
     def _printed(self) -> dict[tuple[str, int | None], codec.Values]:
         """(field, function) -> the values of the first example that a reader would take for typical."""
         found: dict[tuple[str, int | None], codec.Values] = {}
@@ -69,40 +156,186 @@ class Typical:
         return found
 
 
-def record(parameters: tuple[m.Parameter, ...]) -> codec.Values:
-    """Values for some parameters, which do not contradict each other."""
+@dataclass(frozen=True)
+class Given(Typical):
+    """Has the values that one field is sent with, in place of typical ones."""
+
+    call: m.Call
+    given: codec.Values
+
+    def values(self, f: m.Field, call: m.Call) -> codec.Values:
+        return self.given
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        return [self.call]
+
+
+def title_of(f: m.Field, given: Given) -> str:
+    """What a line of a program sends, in a comment."""
+    return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
+
+
+def _form(p: m.Parameter) -> tuple[object, object, object]:
+    return p.element, p.length, p.cases
+
+
+def _state(found: codec.Values, p: m.Parameter, value: object) -> None:
+    """Adds a default, unless it is in words."""
+    try:
+        found[p.name] = codec.canonical(p.operation, _lists(value), p.name)
+    except ValueError:
+        pass
+
+
+def _lists(value: object) -> Any:
+    return [_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
+
+
+# --------------------------------------------------------------------------- what a simulated device shows
+
+
+def shown(p: m.Parameter, given: Any, factor: float) -> Any:
+    """A quantity as a parameter shows it, in the form of the codec. Raises ValueError if it cannot.
+
+    >>> p = m.Parameter("a", m.SCALARS["float"], None, m.ScalarOp("a", m.SCALARS["float"], None, 4))
+    >>> shown(p, 9.80665, 1 / 9.80665)
+    '0x3f800000'
+    """
+    op = p.operation
+    if isinstance(given, list) and isinstance(op, m.ArrayOp):
+        return codec.canonical(op, [_scaled(p, one, factor) for one in given], p.name)
+    if isinstance(op, m.ArrayOp) and op.count is not None:  # one number for all elements
+        return codec.canonical(op, [_scaled(p, given, factor)] * op.count, p.name)
+    return codec.canonical(op, _scaled(p, given, factor), p.name)
+
+
+def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
+    """A quantity in the unit of a parameter, with as many digits as a reader would write."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    if not isinstance(given, (int, float)) or not isinstance(scalar, m.Scalar):
+        return given
+    if scalar.kind != "float":
+        return round(given * factor)
+    return given if factor == 1 else float(f"{given * factor:.{6 if scalar.size == 4 else 10}g}")
+
+
+def _named(p: m.Parameter, v: Value) -> Any:
+    """The first of the names that a type of the parameter has; or all bits."""
+    types = [p.element, *(x.type for x in p.readings)]
+    if v.names:
+        enums = [t for t in types if isinstance(t, m.Enum)]
+        return next((x.value for name in v.names for t in enums if (x := t.by_name(name))), None)
+    for t in types:
+        if isinstance(t, m.Bitfield) and t.scalar is not None:
+            masks = [_mask(t, name) for name in v.bits]
+            if None not in masks:
+                return sum(mask for mask in masks if mask is not None)
+    return None
+
+
+def _mask(t: m.Bitfield, name: str) -> int | None:
+    """A bit, or a value of a number inside the bitfield: bits.value."""
+    bits, _, value = name.partition(".")
+    b = next((b for b in t.bits if b.name == bits), None)
+    if b is None or not value:
+        return b.mask if b else None
+    known = b.enum.by_name(value) if b.enum else None
+    return known.value << b.first if known else None
+
+
+def _at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter | None:
+    name, _, rest = path.partition(".")
+    p = next((p for p in parameters if p.name == name), None)
+    return _at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
+
+
+def _place(found: codec.Values, path: str, value: Any) -> None:
+    name, _, rest = path.partition(".")
+    if rest:
+        _place(found.setdefault(name, {}), rest, value)
+    else:
+        found[name] = value
+
+
+def _valid(parameters: tuple[m.Parameter, ...]) -> codec.Values:
+    """The flags of what is valid: all that values refer to."""
     found: codec.Values = {}
+    by_name = {p.name: p for p in parameters}
     for p in parameters:
-        if p.constant is not None:
-            continue
-        union = next((q for q in parameters if q.tag == p.name), None)
-        if p.reserved is not None:
-            value = p.reserved if p.length is None else [p.reserved] * int(p.length)
-            found[p.name] = codec.canonical(p.operation, value, p.name)
-        elif union is not None:
-            case = next((c for c in union.cases if c.parameter is not None), union.cases[0])
-            found[p.name] = case.tag.value
-        elif isinstance(p.operation, m.SwitchOp):
-            case = next(c for c in p.cases if c.tag.value == found[p.operation.tag])
-            q = case.parameter
-            found[p.name] = {q.name: _value(q, q.operation)} if q else {}
-        elif p.counts is not None:
-            found[p.name] = 0  # its array says
-        else:
-            found[p.name] = _value(p, p.operation)
-            counter = next((q.name for q in parameters if q.counts == p.name), None)
-            if counter is not None:
-                found[counter] = len(found[p.name])
+        for path in p.valid:
+            flags, _, bit = path.partition(".")
+            t = by_name[flags].element
+            if not bit:
+                found[flags] = 1
+            elif isinstance(t, m.Bitfield) and t.scalar is not None:
+                found[flags] = found.get(flags, 0) | (_mask(t, bit) or 0)
     return found
 
 
-def _value(p: m.Parameter, op: m.Operation) -> Any:
-    if p.default is not None:
-        value = list(p.default) if isinstance(p.default, tuple) else p.default
-        try:
-            return codec.canonical(op, value, p.name)
-        except ValueError:
-            pass  # a default in words
+# --------------------------------------------------------------------------- records
+
+
+@dataclass(frozen=True)
+class _Record:
+    """Values for some parameters, which do not contradict each other: what is given, and simple ones for the rest."""
+
+    parameters: tuple[m.Parameter, ...]
+    given: Mapping[str, Any]
+    made_up: list[str]  # the paths of the rest are added
+    path: str = ""
+    found: codec.Values = field(default_factory=dict)
+
+    def values(self) -> codec.Values:
+        for p in self.parameters:
+            if p.constant is None:
+                self.found[p.name] = self.one(p)
+                counter = next((q.name for q in self.parameters if q.counts == p.name), None)
+                if counter is not None:
+                    self.found[counter] = len(self.found[p.name])
+        return self.found
+
+    def one(self, p: m.Parameter) -> Any:
+        if p.counts is not None:
+            return 0  # its array says
+        if p.reserved is not None:
+            value = p.reserved if p.length is None else [p.reserved] * int(p.length)
+            return codec.canonical(p.operation, value, p.name)
+        union = next((q for q in self.parameters if q.tag == p.name), None)
+        if union is not None and p.name not in self.given and p.typical is None:
+            self.made_up.append(f"{self.path}{p.name}")
+            return next((c for c in union.cases if c.parameter is not None), union.cases[0]).tag.value
+        if isinstance(p.operation, m.SwitchOp):
+            return self.alternative(p, p.operation.tag)
+        given = self.given.get(p.name, p.typical)
+        return self.value(p, p.operation, given, f"{self.path}{p.name}")
+
+    def alternative(self, union: m.Parameter, tag: str) -> Any:
+        case = next((c for c in union.cases if c.tag.value == self.found[tag]), None)
+        q = case.parameter if case else None
+        if q is None:
+            return {}
+        given = self.given.get(union.name, {})
+        return {q.name: self.value(q, q.operation, given.get(q.name, q.typical), f"{self.path}{union.name}.{q.name}")}
+
+    def value(self, p: m.Parameter, op: m.Operation, given: Any, path: str) -> Any:
+        if isinstance(op, m.StructOp):
+            return _Record(op.struct.parameters, given or {}, self.made_up, f"{path}.").values()
+        if isinstance(op, m.ArrayOp) and isinstance(op.item, m.StructOp):
+            count = op.count if op.count is not None else min(1, op.capacity)
+            items = given if given is not None else [{}] * count
+            return [self.value(p, op.item, one, path) for one in items]
+        if given is not None:
+            return given
+        if p.default is not None:
+            try:
+                return codec.canonical(op, _lists(p.default), p.name)
+            except ValueError:
+                pass  # a default in words
+        self.made_up.append(path)
+        return _simple(p, op)
+
+
+def _simple(p: m.Parameter, op: m.Operation) -> Any:
     match op:
         case m.ScalarOp():
             return _scalar(p, op)
@@ -114,9 +347,7 @@ def _value(p: m.Parameter, op: m.Operation) -> Any:
             if op.vector is not None and isinstance(item, m.ScalarOp):
                 return [_element(p, item, i, op.count or 0) for i in range(op.count or 0)]
             count = op.count if op.count is not None else min(1, op.capacity)
-            return [_value(p, item) for _ in range(count)]
-        case m.StructOp():
-            return record(op.struct.parameters)
+            return [_simple(p, item) for _ in range(count)]
     raise AssertionError(op)
 
 

@@ -17,7 +17,7 @@ trait Board {
     /// A received byte; `None` if there is none yet.
     fn receive(&mut self) -> Option<u8>;
     fn send(&mut self, bytes: &[u8]);
-    fn milliseconds(&mut self) -> u64;
+    fn milliseconds(&mut self) -> u32;
     fn show(&mut self, what: u32, value: f32);
     /// Is it to go on?
     fn running(&self) -> bool;
@@ -97,9 +97,8 @@ mod board {
             bytes.iter().for_each(|byte| REGISTERS[1].store((*byte).into(), Relaxed));
         }
 
-        // A counter of 32 bits begins again after 49 days: extend it where a device runs for longer.
-        fn milliseconds(&mut self) -> u64 {
-            REGISTERS[2].load(Relaxed).into()
+        fn milliseconds(&mut self) -> u32 {
+            REGISTERS[2].load(Relaxed)
         }
 
         fn show(&mut self, what: u32, value: f32) {
@@ -146,8 +145,8 @@ mod board {
             self.open = out.write_all(bytes).and_then(|()| out.flush()).is_ok();
         }
 
-        fn milliseconds(&mut self) -> u64 {
-            self.start.elapsed().as_millis() as u64
+        fn milliseconds(&mut self) -> u32 {
+            self.start.elapsed().as_millis() as u32
         }
 
         fn show(&mut self, what: u32, value: f32) {

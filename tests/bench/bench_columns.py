@@ -1,7 +1,8 @@
 """Columns of a log with NumPy, in units of a loop written by hand: `python tests/bench/bench_columns.py`.
 
 The loop unpacks each field with a struct that its author knows, keeps the values in lists, and checks no checksum.
-Both run in turn, on the time of this process alone; the median of the ratios counts.
+All run in turn, on the time of this process alone; the median of the ratios counts. Compiled are the innermost loops
+that `python -m mip_protocol.columns.build` makes.
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[2] / "generated/python"))
 
 from mip_protocol import filter_data, read_log, sensor, shared
+from mip_protocol.columns import native
+from mip_protocol.columns.build import build
+from mip_protocol.errors import Failure
 
 PACKETS = 600_000
 ROUNDS = 7
@@ -92,26 +96,38 @@ def seconds(task: Callable[[bytes], object], data: bytes) -> float:
     return took
 
 
+def kernels() -> dict[str, native.Kernel | None]:
+    """NumPy alone, and the compiled code if there is a compiler."""
+    folder = Path(__file__).parents[2] / "build/bench"
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        return {"NumPy": None, "compiled": native.Kernel(build(folder))}
+    except Failure:
+        return {"NumPy": None}
+
+
 def report() -> str:
-    lines = []
+    lines, ways = [], kernels()
     for shuffled in (False, True):
         data = stream(PACKETS, shuffled)
         order = "shuffled packets" if shuffled else "packets in their order"
         lines += [f"\ncolumns, {len(data) / 1e6:.0f} MB of {order}, {len(data) / PACKETS:.0f} bytes each", ""]
-        lines.append(f"{'':36}{'MB/s':>8}{'to loop':>9}{'aim':>6}")
-        ratios: dict[str, list[float]] = {name: [] for name in TASKS}
-        speeds: dict[str, list[float]] = {name: [] for name in TASKS}
+        lines.append(f"{'':46}{'MB/s':>8}{'to loop':>9}{'aim':>6}")
+        cases = [(f"{name}, {way}", task, aim, way) for name, (task, aim) in TASKS.items() for way in ways]
+        ratios: dict[str, list[float]] = {name: [] for name, *_ in cases}
+        speeds: dict[str, list[float]] = {name: [] for name, *_ in cases}
         loops = []
         for _ in range(ROUNDS):
             loops.append(seconds(by_hand, data))
-            for name, (task, _) in TASKS.items():
+            for name, task, _, way in cases:
+                native.kernel = ways[way]
                 took = seconds(task, data)
                 ratios[name].append(loops[-1] / took)
                 speeds[name].append(len(data) / took / 1e6)
-        lines.append(f"{'loop written by hand':36}{len(data) / statistics.median(loops) / 1e6:8.0f}{1:9.1f}")
-        for name, (_, aim) in TASKS.items():
+        lines.append(f"{'loop written by hand':46}{len(data) / statistics.median(loops) / 1e6:8.0f}{1:9.1f}")
+        for name, _, aim, _ in cases:
             figure = f"{statistics.median(speeds[name]):8.0f}{statistics.median(ratios[name]):9.1f}"
-            lines.append(f"{name:36}{figure}{aim or '':>6}")
+            lines.append(f"{name:46}{figure}{aim or '':>6}")
     return "\n".join(lines)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import awkward
 import pytest
-from c_build import HERE, SANITIZE, WARNINGS, compiled, folder, include, run, sources
+from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include, run, sources
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import direct, literals, members, names
@@ -24,17 +24,19 @@ both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
-def written(path: Path, of: m.Model, checks: list[str]) -> Path:
-    """A program that makes these checks, with the headers of all sets and of all tables."""
+def written(path: Path, of: m.Model, checks: list[str], before: str = "") -> Path:
+    """A program that makes these checks, with the headers of all sets and of all tables; `before`: what they use."""
     headers = [*(names.module(s.name) for s in of.sets), "protocol", "registry", "reflect", "names", "profiles"]
     includes = "".join(f'#include "mip/{name}.h"\n' for name in headers)
     body = "\n    ".join(checks)
-    path.write_text(f'#include "check.h"\n{includes}int main(void) {{\n    {body}\n    return 0;\n}}\n')
+    path.write_text(f'#include "check.h"\n{includes}{before}int main(void) {{\n    {body}\n    return 0;\n}}\n')
     return path
 
 
 def build(tmp: Path, compiler: str, spec: str, source: Path, *flags: str) -> Path:
-    return compiled(tmp / source.stem, spec, compiler, source, "-std=c99", *flags)
+    """With sanitizers, the program is linked with the library of the unit programs, which is there anyway."""
+    library = archive(spec, compiler, "-std=c99", "-O1", *flags) if flags else None
+    return compiled(tmp / source.stem, spec, compiler, source, "-std=c99", *flags, library=library)
 
 
 # --------------------------------------------------------------------------- sources
@@ -287,9 +289,7 @@ def test_every_direct_decoder(compiler: str, spec: str, tmp_path: Path) -> None:
     never_varies = [f for f in of.fields if f.min_size == f.max_size > 0]
     never_varies = [f for f in never_varies if not any(isinstance(op, m.ConstantOp) for op in f.operations)]
     assert len(fields) >= len(never_varies) > 0
-    program = written(tmp_path / "direct.c", of, [direct_check(f) for f in fields])
-    text = program.read_text("utf-8")
-    program.write_text(text.replace("int main(void) {", f"{RANDOM_FIELD}int main(void) {{"))
+    program = written(tmp_path / "direct.c", of, [direct_check(f) for f in fields], RANDOM_FIELD)
     run(build(tmp_path, compiler, spec, program, *SANITIZE))
 
 
@@ -313,8 +313,8 @@ def test_every_constructor(spec: str, tmp_path: Path) -> None:
     commands = [f for f in of.fields if f.role == m.COMMAND]
     wanted = sum(len(f.functions) or any(p.constant is None for p in f.parameters) for f in commands)
     assert len(body) >= wanted > len(commands) / 2
-    checks = ["uint8_t buffer[MIP_MAX_PACKET];", "struct mip_builder b;", *body]
-    run(build(tmp_path, "cc", spec, written(tmp_path / "constructors.c", of, checks), *SANITIZE))
+    variables = "static uint8_t buffer[MIP_MAX_PACKET];\nstatic struct mip_builder b;\n"
+    run(build(tmp_path, "cc", spec, written(tmp_path / "constructors.c", of, body, variables), *SANITIZE))
 
 
 # --------------------------------------------------------------------------- bitfields
@@ -478,9 +478,9 @@ def library(tmp: Path, *flags: str) -> Path:
     for source in sources("real"):
         objects.append(str(tmp / f"{Path(source).stem}.o"))
         run(need("cc"), "-std=c99", "-Os", *flags, include("real"), "-c", source, "-o", objects[-1])
-    archive = tmp / "libmip.a"
-    run(need("ar"), "rcs", archive, *objects)
-    return archive
+    library = tmp / "libmip.a"
+    run(need("ar"), "rcs", library, *objects)
+    return library
 
 
 def symbols(program: Path) -> set[str]:

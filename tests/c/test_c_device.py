@@ -156,9 +156,9 @@ def test_every_call(spec: str, tmp_path: Path) -> None:
     wanted = {c.name for f in of.fields if f.role == m.COMMAND for c in calls.calls(f, of)}
     functions = sum(max(1, len(f.functions)) for f in of.fields if f.role == m.COMMAND)
     assert {name for name, _ in found} == wanted and len(wanted) >= functions
-    program = written(tmp_path / "calls.c", of, ["mip_device_init(&device, &port, NULL, 0);", *(c for _, c in found)])
     headers = "".join(f'#include "mip/{names.module(s.name)}_commands.h"\n' for s in of.sets if calls.commands(s))
-    program.write_text(program.read_text().replace("int main", f"{headers}{PORT}int main"))
+    checks = ["mip_device_init(&device, &port, NULL, 0);", *(c for _, c in found)]
+    program = written(tmp_path / "calls.c", of, checks, f"{headers}{PORT}")
     run(build(tmp_path, "cc", spec, program, *SANITIZE))
 
 

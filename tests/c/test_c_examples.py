@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from c_build import SANITIZE, archive, include, run
 from mipgen import model as m
 from mipgen.targets.c import members as target_members
 from mipgen.targets.c import names
@@ -39,8 +40,8 @@ static void check(const char *id, struct mip_builder *b, const char *hex) {
 def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     of, folder = model(spec), SPECS[spec][1] / "c"
     lines = [f'#include "mip/{p.name}"' for p in sorted((folder / "src/mip").glob("*.h"))]
-    lines += [PRELUDE, "int main(void) {", "uint8_t buffer[MIP_MAX_PACKET];", "struct mip_builder b;",
-              "(void)f32; (void)f64;"]  # fmt: skip
+    lines += [PRELUDE, "static uint8_t buffer[MIP_MAX_PACKET];", "static struct mip_builder b;"]
+    lines += ["int main(void) {", "(void)f32; (void)f64;"]
     for e in of.examples:
         lines.append(f"mip_builder_start(&b, buffer, sizeof(buffer), {e.set});")
         for f in e.fields:
@@ -51,9 +52,9 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     program = tmp_path / "examples.c"
     program.write_text("\n".join(lines))
     out = tmp_path / "examples"
-    sources = [str(p) for p in sorted((folder / "src/mip").glob("*.c"))]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsanitize=address,undefined"]
-    subprocess.run([need("cc"), *flags, f"-I{folder}/src", str(program), *sources, "-o", str(out)], check=True)
+    flags = ["-std=c99", *SANITIZE]
+    library = archive(spec, "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+    run(need("cc"), *flags, "-Wall", "-Wextra", "-Wconversion", "-Werror", include(spec), program, library, "-o", out)
     done = subprocess.run([str(out)], capture_output=True, text=True)
     assert done.returncode == 0 and done.stdout == f"{len(of.examples)} examples\n", done.stdout + done.stderr
 

@@ -12,6 +12,7 @@ from typing import Any
 import yaml
 from mipgen import describe, render
 from mipgen import model as m
+from mipgen.typical import Typical
 from support import model
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
@@ -129,6 +130,10 @@ def path_of(f: m.Field) -> str:
 class Manual:
     model: m.Model
     files: dict[str, bytes]
+
+    @functools.cached_property
+    def typical(self) -> Typical:
+        return Typical(self.model)
 
     @functools.cached_property
     def pages(self) -> dict[str, str]:

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import yaml
 from mipgen import model as m
 from mipgen.resolve import load_model
 from reference import Manual, made, manual_of, path_of, prose, table_with, tables, words
@@ -98,13 +97,20 @@ def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> No
                 assert raw in [struct.pack(form, float(n)) for n in numbers] or raw.hex().upper() in text, (e.id, path)
 
 
-def test_examples_keep_the_order_of_the_files(manual: Manual) -> None:
-    """The steps of a procedure come one after the other."""
-    (spec,) = (path for name, (path, _) in SPECS.items() if manual_of(name) is manual)
-    files = [yaml.safe_load(path.read_text("utf-8")) for path in sorted((spec / "examples").glob("*.yaml"))]
-    given = [(e["manual"], e["id"]) for file in files for e in file["examples"]]
-    anchors = re.findall(r'^<a id="example\.(.*)"></a>$', manual.page("examples.md"), re.M)
-    assert anchors == [name for x in manual.model.protocol.manuals for of, name in given if of == x.id]
+def test_examples_are_in_the_order_of_their_manual(manual: Manual) -> None:
+    """The sections of a manual one after the other; in each, the examples as their file has them."""
+    for of in manual.model.protocol.manuals:
+        part = manual.page("examples.md").partition(f'<a id="manual.{of.id}"></a>')[2].partition('<a id="manual.')[0]
+        seen = re.findall(r'<a id="example\.([^"]*)"></a>', part)
+        own = [e for e in manual.model.examples if e.manual == of.id]
+        if of.sections:
+            own = [e for section in of.sections for e in own if e.section == section]
+        assert seen == [e.id for e in own]
+
+
+def test_the_setup_sequence_of_the_manual_counts_up() -> None:
+    steps = [int(x) for x in re.findall(r"^Step (\d+): ", manual_of("real").page("examples.md"), re.M)]
+    assert steps == sorted(steps) and steps[0] == 1 and steps[-1] == 7
 
 
 def test_two_devices_with_one_manual(tmp_path: Path) -> None:

@@ -84,7 +84,7 @@ def test_links_lead_somewhere(manual: Manual) -> None:
     faults = [f"{path}: an anchor twice" for path, found in anchors.items() if len(found) != len(set(found))]
     for path, text in manual.pages.items():
         for label, target in LINK.findall(without_code(text)):
-            page, _, anchor = target.partition("#")
+            page, anchor = re.fullmatch(r"([^?#]*)(?:\?[^#]*)?#?(.*)", target).groups()  # type: ignore[union-attr]
             to = posixpath.normpath(posixpath.join(posixpath.dirname(path), page)) if page else path
             if to not in anchors or (anchor and anchor not in anchors[to]) or not label:
                 faults.append(f"{path}: [{label}]({target})")
@@ -141,7 +141,7 @@ def test_every_page_can_be_reached(manual: Manual) -> None:
             if path in seen:
                 continue
             seen.add(path)
-            targets = [t.partition("#")[0] for _, t in LINK.findall(without_code(manual.pages[path]))]
+            targets = [re.split("[?#]", t)[0] for _, t in LINK.findall(without_code(manual.pages[path]))]
             todo += [posixpath.normpath(posixpath.join(posixpath.dirname(path), t)) for t in targets if t]
         assert {p for p in manual.pages if p.startswith("docs/")} <= seen | {"docs/index.md"}
 

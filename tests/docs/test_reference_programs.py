@@ -10,12 +10,12 @@ import sys
 import textwrap
 from pathlib import Path
 
+import crates
 import pytest
 from mipgen import codec
 from mipgen import model as m
-from mipgen.typical import Typical
 from reference import Manual, path_of, table_with, words
-from support import BUILD, SPECS, need
+from support import SPECS, mypy, need
 
 ACKNOWLEDGE = 0xF1
 
@@ -34,7 +34,7 @@ def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
     packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
-    shown = Typical(manual.model).shown(f)
+    shown = manual.typical.shown(f)
     return [packets[i] for i, c in enumerate(f.calls) if any(c is x for x in shown)]
 
 
@@ -44,13 +44,13 @@ def reply(manual: Manual, packet: bytes) -> bytes:
     (f,) = (x for x in manual.model.candidates(packet[2], descriptor) if x.role == m.COMMAND)
     values, _ = codec.decode(f, data)
     call = next(c for c in f.calls if (c.function and c.function.value) == values.get("function"))
-    typical = Typical(manual.model)
+    typical = manual.typical
     answers = [(r.layouts[0].descriptor, typical.data(r.layouts[0])) for r in typical.replies(f, call)]
     return codec.build(manual.model, packet[2], [(ACKNOWLEDGE, bytes([descriptor, 0])), *answers])
 
 
 def sample(manual: Manual, f: m.Field) -> bytes:
-    return Typical(manual.model).packet(f)
+    return manual.typical.packet(f)
 
 
 def run(*command: str | Path, **environment: str) -> str:
@@ -229,7 +229,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
     for setting in (x for x in asked(manual) if x.role == m.COMMAND):  # it may be asked for once
         for c in setting.calls:
-            packet = Typical(manual.model).packet(setting, c)
+            packet = manual.typical.packet(setting, c)
             answers.setdefault(packet.hex(), reply(manual, packet).hex())
     (tmp_path / "answers.json").write_text(json.dumps(answers))
     done = subprocess.run(
@@ -238,16 +238,14 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     )  # fmt: skip
     assert done.returncode == 0, done.stderr[-4000:]
     check(manual, done.stderr)
-    run(
-        sys.executable, "-m", "mypy", "--strict", "--cache-dir", BUILD / f"docs/mypy-{generated.name}", path,
-        MYPYPATH=str(generated / "python"),
-    )  # fmt: skip
+    checked = mypy(generated / "python", path)
+    assert checked.returncode == 0, checked.stdout
 
 
 # --------------------------------------------------------------------------- Rust
 
 RUST_HEAD = """
-#![allow(unused_imports, clippy::all)]
+#![allow(warnings)]
 use mip_protocol::device::{Device, DeviceError, Port};
 use mip_protocol::{packets, Packet};
 
@@ -268,7 +266,7 @@ impl Port for Table {
         eprintln!("{} {hex}", self.name);
         Ok(())
     }
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         0
     }
 }
@@ -285,7 +283,8 @@ def rust_bytes(data: bytes) -> str:
     return f"&[{', '.join(map(str, data))}]"
 
 
-def test_programs_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None:
+@crates.group
+def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
     for f in asked(manual):
         needs, body = program(manual, f, "rust")
@@ -300,29 +299,10 @@ def test_programs_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> No
             assert lines.count("}\n") == 1 or lines.endswith("}\n")
             functions.append(f"fn {name}(packet: Packet) {{\n{seen}\n}}")
             calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap());")
-    source = tmp_path / "programs.rs"
-    source.write_text("\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"]), "utf-8")
-    features = re.findall(
-        r"^([\w-]+) = \[", (generated / "rust/Cargo.toml").read_text("utf-8").partition("[features]")[2], re.M
-    )
-    wanted = [
-        x for x in features if x not in ("defmt", "serde", "embedded-io", "embedded-io-async", "core-error", "default")
-    ]
-    flags = [flag for x in wanted for flag in ("--cfg", f'feature="{x}"')]
-    rustc = [need("rustc"), "--edition", "2021", "-C", "debuginfo=0", "--cap-lints", "allow"]
-    library = tmp_path / "libmip_protocol.rlib"
-    run(
-        *rustc,
-        "--crate-name",
-        "mip_protocol",
-        "--crate-type",
-        "lib",
-        *flags,
-        generated / "rust/src/lib.rs",
-        "-o",
-        library,
-    )
-    run(*rustc, "--extern", f"mip_protocol={library}", source, "-o", tmp_path / "programs")
-    done = subprocess.run([tmp_path / "programs"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-3000:]
+    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
+    spec = request.node.callspec.params["manual"]
+    target = '[[bin]]\nname = "reference"\npath = "reference.rs"\ntest = false\n'
+    folder = crates.project(spec, "reference", target, files={"reference.rs": source.encode()})
+    done = crates.cargo(folder, "run", "--offline", "--quiet")
+    assert done.returncode == 0, done.stderr[-6000:]
     check(manual, done.stderr)

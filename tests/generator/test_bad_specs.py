@@ -21,12 +21,12 @@ from mipgen.resolve import load_model
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
     "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices",
-    "inheritance", "evidence", "checks", "references", "naming",
+    "inheritance", "evidence", "guides", "checks", "references", "naming",
 )  # fmt: skip
 
-#: What reports a problem: calls of these, `raise _Wrong(...)`, the faults that `syntax` returns, and the messages that
+#: What reports a problem: calls of these, `raise Wrong(...)`, the faults that `syntax` returns, and the messages that
 #: `loader.messages` yields.
-REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "_Wrong", "_fault", "Fault", "_unclosed"}
+REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "Wrong", "_fault", "Fault", "_unclosed"}
 
 FAULTS = {"_fault", "Fault", "_unclosed"}
 
@@ -37,7 +37,7 @@ UNREACHABLE = {
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",
-    "evidence: raise _Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":
+    "evidence: raise Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":
         "test_an_example_that_does_not_encode_to_its_own_bytes",
 }  # fmt: skip
 
@@ -125,7 +125,7 @@ def _reports(node: ast.Expr | ast.Raise | ast.Return, function: str) -> bool:
     name = value.func.attr if isinstance(value.func, ast.Attribute) else getattr(value.func, "id", "")
     if name == "add":
         return "problems" in ast.unparse(value.func)
-    kind = ast.Raise if name == "_Wrong" else ast.Return if name in FAULTS else ast.Expr
+    kind = ast.Raise if name == "Wrong" else ast.Return if name in FAULTS else ast.Expr
     return name in REPORTERS and isinstance(node, kind)
 
 

@@ -324,14 +324,21 @@ def test_a_file_that_was_valid_once_is_judged_when_it_changes(tmp_path: Path) ->
 # --------------------------------------------------------------------------- processes
 
 
-def test_each_in_a_process_of_its_own() -> None:
+def test_each_in_another_process() -> None:
     assert parallel.each(lambda n: (n, bytes(n)), [1, 200_000, 3]) == [
         (1, b"\0"),
         (200_000, bytes(200_000)),
         (3, bytes(3)),
     ]
-    parents = parallel.each(lambda _: os.getpid(), [1, 2])
-    assert len({os.getpid(), *parents}) == 3
+    assert os.getpid() not in parallel.each(lambda _: os.getpid(), [1, 2])
+
+
+def test_processes_are_no_more_than_processors(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each takes the next item when it is done with one; the results are in the order of the items."""
+    monkeypatch.setattr(parallel, "_processors", lambda: 2)
+    found = parallel.each(lambda n: (n, os.getpid()), range(500))
+    assert [n for n, _ in found] == list(range(500))
+    assert len({process for _, process in found}) <= 2
 
 
 def test_what_fails_in_a_process_is_raised_here() -> None:

@@ -30,6 +30,17 @@ def whole(part: m.Model) -> None:
         assert all(part.set(r.set.number) is r.set for r in d.base_rates)
     for e in part.examples:
         assert all(x.field is None or part.field(x.field) for x in e.fields)
+    for g in part.guides:
+        assert g.sequences or g.migration
+        assert all(part.field(name) or any(name == other.name for other in part.guides) for name in g.see)
+        for s in g.sequences:
+            assert s.devices and all(part.device(d.id) is d for d in s.devices)
+            used = [step.command for step in s.steps] + [x.field for t in s.streams for x in t.fields]
+            used += [step.response.field for step in s.steps if step.response]
+            assert all(part.field(f.full_name) is f for f in used)
+        if g.migration:
+            assert part.device(g.migration.before.id) is g.migration.before
+            assert all(part.field(f.full_name) is f for c in g.migration.changes for f in (*c.fields, *c.by))
 
 
 @pytest.mark.parametrize("device", REAL.devices, ids=lambda d: d.id)
@@ -71,6 +82,15 @@ def test_devices_narrow_sets() -> None:
         "tools.ping", "tools.settings", "tools.settings_response", "tools.status", "tools.status_short",
         "tools.status_long", "tools.status_old", "tools.status_full",
     }  # fmt: skip
+
+
+def test_guides_of_a_device() -> None:
+    """What is left of them: sequences of the device, and no migration to another one."""
+    part = select(REAL, Selection(devices=("3dm-gx5-15",)))
+    assert [g.name for g in part.guides] == [
+        g.name for g in REAL.guides if any(d.id == "3dm-gx5-15" for s in g.sequences for d in s.devices)
+    ]
+    assert all(g.migration is None for g in part.guides) and len(part.guides) > 3
 
 
 def test_what_was_left_out() -> None:

@@ -73,13 +73,14 @@ function fromJson(text) {
     return JSON.parse(marked, (_, value) => (typeof value?.integer === "string" ? BigInt(value.integer) : value));
 }
 
-const string = (text) =>
-    JSON.stringify(text).replace(/[\x7f-\uffff]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, "0")}`);
+const string = (text) => JSON.stringify(text).replace(/[\x7f-\uffff]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, "0")}`);
 
 function toJson(value) {
     if (Array.isArray(value)) return `[${value.map(toJson).join(",")}]`;
     if (value && typeof value === "object") {
-        return `{${Object.entries(value).map(([key, inner]) => `${string(key)}:${toJson(inner)}`).join(",")}}`;
+        return `{${Object.entries(value)
+            .map(([key, inner]) => `${string(key)}:${toJson(inner)}`)
+            .join(",")}}`;
     }
     return typeof value === "string" ? string(value) : String(value);
 }

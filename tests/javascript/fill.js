@@ -1,11 +1,12 @@
 // Fills in the form of the builder by its labels, as a reader would; numbers come as texts.
 window.fill = (() => {
     const own = (part) => part.querySelector(":scope > label, :scope > legend")?.textContent.trim();
-    const at = (path) => path.reduce((part, name) => {
-        const found = [...part.children].find((child) => own(child) === name);
-        if (!found) throw new Error(`there is no input ${path.join(" > ")}`);
-        return found;
-    }, document.querySelector(".mip-form"));
+    const at = (path) =>
+        path.reduce((part, name) => {
+            const found = [...part.children].find((child) => own(child) === name);
+            if (!found) throw new Error(`there is no input ${path.join(" > ")}`);
+            return found;
+        }, document.querySelector(".mip-form"));
     const put = (control, value) => {
         if (control.type === "checkbox") control.checked = value !== "0";
         else control.value = value;
@@ -26,14 +27,17 @@ window.fill = (() => {
     const fill = (path, value) => {
         if (Array.isArray(value)) {
             if ([...at(path).children].some((child) => own(child) === "value")) {
-                return bits(path, value.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n));
+                return bits(
+                    path,
+                    value.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n),
+                );
             }
             const add = at(path).querySelector(":scope > p > button");
             const count = () => [...at(path).children].filter((child) => child.matches("fieldset, p:has(> label)")).length;
             while (add && count() > value.length) at(path).querySelectorAll(":scope > p > button")[1].click();
             while (add && count() < value.length) at(path).querySelector(":scope > p > button").click();
             const names = [...at(path).children].filter((child) => child.matches("fieldset, p:has(> label)")).map(own);
-            value.forEach((item, i) => fill([...path, names[i]], item));
+            for (const [i, item] of value.entries()) fill([...path, names[i]], item);
         } else if (typeof value === "object") {
             for (const [name, inner] of Object.entries(value)) fill([...path, name], inner);
         } else if (at(path).matches("fieldset")) {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import urllib.parse
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,10 @@ import browser
 import pytest
 from mipgen import codec
 from mipgen import model as m
+from mipgen.targets.c import snippets as c
+from mipgen.targets.python import snippets as python
+from mipgen.targets.rust.snippets import Snippets
+from mipgen.typical import Typical
 from support import ROOT, all_fields, driver, encode_request, heavy, model, set_of
 
 pytestmark = [] if browser.installed() else heavy("chromium")
@@ -133,3 +138,160 @@ def test_wrong_values_are_named(page: browser.Page) -> None:
     assert f is not None
     assert "does not fit" in built(page, f, 0x0C, {"function": 1, "baud": 1 << 40})["bytes"]
     assert "is not a whole number" in built(page, f, 0x0C, {"function": 1, "baud": "fast"})["bytes"]
+
+
+# --------------------------------------------------------------------------- devices, several fields, addresses
+
+#: Puts a value into a control that is found by a selector.
+PUT = """
+window.put = (selector, value) => {
+    const control = document.querySelector(selector);
+    if (control.type === "checkbox") control.checked = value;
+    else control.value = value;
+    control.dispatchEvent(new Event("input"));
+};
+window.press = (words) => [...document.querySelectorAll("button")].find((one) => one.textContent === words).click();
+window.texts = (selector) => [...document.querySelectorAll(selector)].map((one) => one.textContent);
+0
+"""
+
+
+def start(page: browser.Page, fragment: str) -> None:
+    page.open("about:blank")  # another fragment alone loads nothing
+    page.open((ROOT / "generated/javascript/tools/builder.html").as_uri() + "#" + fragment)
+    page.run(PUT)
+
+
+def packet(page: browser.Page) -> bytes:
+    return bytes.fromhex(page.run("document.querySelector('.mip-packet-bytes').textContent"))
+
+
+def programs(page: browser.Page) -> list[str]:
+    found: list[str] = page.run("texts('[data-program]')")
+    return found
+
+
+@pytest.fixture
+def own(page: browser.Page) -> Iterator[browser.Page]:
+    """The page, filled in otherwise, and as it was then."""
+    yield page
+    page.open("about:blank")
+    page.open(ROOT / "generated/javascript/tools/builder.html")
+    page.run(f"{FILL}; 0")
+
+
+def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> None:
+    of = model("real")
+    typical, rust = Typical(of), Snippets(Typical(of))
+    for name in ("3dm.message_format", "aiding.llh_position", "sensor.scaled_accel"):
+        f = of.field(name)
+        assert f is not None
+        start(own, name)
+        assert packet(own) == typical.packet(f)
+        if f.role == m.DATA:
+            assert programs(own) == [c.data(f), python.data(f), rust.data(f)]
+    start(own, "3dm.message_format")
+    for text in ("mip_call_3dm_message_format_write(device, 0x80, 2, descriptors)", "0x80,", "{.descriptor = 0x04, "):
+        assert text in programs(own)[0] + programs(own)[1]
+    assert own.run("texts('.mip-meant')") == ["Sensor data", "Scaled accel", "Scaled gyro"]
+
+
+def test_numbers_in_hexadecimal_follow_the_set(own: browser.Page) -> None:
+    start(own, "3dm.message_format")
+    own.run("put('.mip-hex', '0x82')")
+    set_, *fields = own.run("texts('.mip-meant')")
+    assert set_ == "Filter data" and fields != ["Scaled accel", "Scaled gyro"]
+    own.run("put('.mip-hex', '0x7')")
+    assert packet(own)[7] == 7 and own.run("texts('.mip-meant')") == ["", "", ""]
+    own.run("put('.mip-hex', '0x')")
+    assert "is not a whole number" in own.run("document.querySelector('.mip-wrong').textContent")
+
+
+def test_several_fields(own: browser.Page) -> None:
+    of = model("real")
+    start(own, "base.ping")
+    own.run("put('#mip-add', 'base.set_idle')")
+    own.run("put('#mip-add', 'base.resume')")
+    assert packet(own) == codec.build(of, 1, [(1, b""), (2, b""), (6, b"")])
+    own.run("document.querySelector('[aria-label=\"Up: field 3\"]').click()")
+    assert packet(own) == codec.build(of, 1, [(1, b""), (6, b""), (2, b"")])
+    own.run("document.querySelector('[aria-label=\"Remove: field 1\"]').click()")
+    assert packet(own) == codec.build(of, 1, [(6, b""), (2, b"")])
+    assert len(programs(own)) == 6
+    assert own.run(
+        "[...document.querySelector('#mip-add').options].every((one) => !one.value || !one.value.startsWith('3dm'))"
+    )
+
+
+def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
+    start(own, "3dm.message_format")
+    own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
+    own.run("put('.mip-hex', '0x82')")
+    own.run("put('#mip-add', '3dm.get_base_rate')")
+    before, address = packet(own), own.run("location.hash.slice(1)")
+    assert urllib.parse.unquote(address) == f"3dm-cv7-gnss-ins {before.hex().upper()}"
+    start(own, address)
+    assert packet(own) == before and own.run("document.querySelector('#mip-device').value") == "3dm-cv7-gnss-ins"
+    start(own, "75 65 01 02 02 01 E0 C6")
+    assert own.run("document.querySelector('#mip-field').value") == "base.ping"
+    start(own, "no such thing")
+    assert packet(own)
+
+
+def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
+    of = model("real")
+    start(own, "base.ping")
+    for d in of.devices:
+        own.run(f"put('#mip-device', {d.id!r})")
+        shown = set(own.run("[...document.querySelector('#mip-field').options].map((one) => one.value)"))
+        known = {s.field.full_name for s in d.supports}
+        answers = {f.full_name for f in of.fields if f.role == m.RESPONSE}
+        assert shown - answers == known | {"protocol.acknowledge", "base.ping"}
+
+
+def test_a_device_says_what_differs(own: browser.Page) -> None:
+    d, s = next((d, s) for d in model("real").devices for s in d.certain if s.differs and s.field.role == m.COMMAND)
+    start(own, f"{d.id} {s.field.full_name}")
+    notes = own.run("texts('.mip-device-notes li')")
+    assert f"{d.title}: only {', '.join(f.name for f in s.functions)}" in notes
+    start(own, "3dm-gx5-15 3dm.message_format")
+    assert own.run("texts('.mip-device-notes li')") == ["3DM-GX5-15: it is not known to support this"]
+    start(own, "3dm-gx5-15 3dm.data_stream_control")
+    assert "3DM-GX5-15: descriptor_set: values of 3dm.legacy_data_stream" in own.run("texts('.mip-device-notes li')")
+
+
+def test_optional_parameters(own: browser.Page) -> None:
+    f = model("real").field("filter.accel_magnitude_error_adaptive_measurement")
+    assert f is not None
+    start(own, f.full_name)
+    least = packet(own)
+    for _ in range(6):
+        own.run("document.querySelector('.mip-more').click()")
+    ((_, data),) = codec.split(model("real"), packet(own))
+    values, left = codec.decode(f, data)
+    assert left == 0 and len(values) == 8 and own.run("document.querySelector('.mip-more')") is None
+    assert all("is optional" in text for text in programs(own))
+    for _ in range(6):
+        own.run("document.querySelector('.mip-less').click()")
+    assert packet(own) == least
+
+
+def test_numbers_without_a_name(own: browser.Page) -> None:
+    start(own, "filter.vehicle_dynamics_mode")
+    own.run("put('.mip-form > p:nth-of-type(3) select', 'other')")
+    own.run("put('.mip-form > p:nth-of-type(3) input', '0x21')")
+    assert packet(own)[-3] == 0x21
+    for text, wanted in zip(
+        programs(own), ("(enum mip_filter_dynamics_mode)33", "DynamicsMode(33)", "DynamicsMode(33)")
+    ):
+        assert wanted in text
+
+
+def test_the_layout_of_the_answer(own: browser.Page) -> None:
+    of = model("real")
+    start(own, "3dm.get_base_rate")
+    r = of.field("3dm.get_base_rate_response")
+    assert r is not None
+    assert own.run("texts('.mip-output li td:first-child')") == [p.name for p in r.parameters]
+    shown = bytes.fromhex(own.run("document.querySelector('.mip-output li code').textContent"))
+    assert [d for d, _ in codec.split(of, shown)] == [0xF1, r.descriptor]

@@ -61,10 +61,95 @@ test("integers of eight bytes are BigInts, and all others numbers", () => {
     const values = { x: 0xffffffffffffffffn, y: -2 };
     assert.deepEqual(decode("fffffffffffffffffffffffe").values, values);
     assert.equal(encode(values), "fffffffffffffffffffffffe");
-    assert.equal(encode({ x: 5, y: true }), "000000000000000500000001");
-    for (const wrong of [{ x: -1, y: 0 }, { x: 1n << 64n, y: 0 }, { x: 0, y: 2147483648 }, { x: 0, y: 0.5 }, { x: 0, y: "a" }]) {
+    assert.equal(encode({ x: 5, y: 1n }), "000000000000000500000001");
+    for (const wrong of [
+        { x: -1, y: 0 },
+        { x: 1n << 64n, y: 0 },
+        { x: 0, y: 2147483648 },
+        { x: 0, y: 0.5 },
+        { x: 0, y: "a" },
+    ]) {
         assert.throws(() => encode(wrong), { kind: "range" });
     }
+});
+
+const NO_NUMBERS = [
+    true,
+    false,
+    null,
+    undefined,
+    "",
+    " ",
+    "12",
+    " 12 ",
+    "0x",
+    "0x10",
+    [],
+    [1],
+    {},
+    NaN,
+    Infinity,
+    -Infinity,
+    0.5,
+    () => 1,
+    Symbol("x"),
+];
+
+test("only numbers are numbers", () => {
+    for (const scalar of ["u8", "s8", "u16", "s32", "u64", "s64", "char"]) {
+        const { encode } = single([{ kind: "scalar", member: "x", scalar }]);
+        for (const wrong of NO_NUMBERS) {
+            assert.throws(() => encode({ x: wrong }), { name: "MipError", kind: "range", message: /^x: .* is not a whole number$/ });
+        }
+    }
+});
+
+test("only numbers, and bits as text, are floats", () => {
+    for (const scalar of ["float", "double"]) {
+        const { encode } = single([{ kind: "scalar", member: "x", scalar }]);
+        for (const wrong of [true, null, undefined, "", " 1 ", "1", "0x", "0x0", "nan", [], [1], {}, 1n]) {
+            assert.throws(() => encode({ x: wrong }), { name: "MipError", kind: "range", message: /^x: / });
+        }
+    }
+    const { encode } = single([{ kind: "scalar", member: "x", scalar: "float" }]);
+    assert.throws(() => encode({ x: 1e40 }), { kind: "range", message: /does not fit/ });
+    assert.equal(encode({ x: -Infinity }), "ff800000");
+});
+
+test("a bool is a number or a Boolean", () => {
+    const { encode } = single([{ kind: "scalar", member: "x", scalar: "bool" }]);
+    assert.equal(encode({ x: true }) + encode({ x: false }) + encode({ x: 2 }), "010002");
+    for (const wrong of [null, undefined, "", "true", [], {}, NaN]) assert.throws(() => encode({ x: wrong }), { kind: "range" });
+});
+
+test("arrays, structures, unions and texts are nothing else", () => {
+    const item = { kind: "scalar", member: "item", scalar: "u8" };
+    for (const op of [
+        { kind: "array", member: "x", item, capacity: 9 },
+        { kind: "bits", member: "x", size: 0 },
+        { kind: "text", member: "x", capacity: 9 },
+        { kind: "switch", member: "x", tag: "t", cases: [] },
+    ]) {
+        const { encode } = single([op]);
+        for (const wrong of [null, undefined, 0, true, 1n, op.kind === "text" ? [] : ""]) {
+            assert.throws(() => encode({ x: wrong }), { name: "MipError", kind: "range", message: /^x: .* is not an? / });
+        }
+    }
+    for (const wrong of [null, undefined, 1, "", []]) assert.throws(() => single([]).encode(wrong), { kind: "range" });
+});
+
+test("half a character is no character", () => {
+    const { encode } = single([{ kind: "text", member: "x", capacity: 9 }]);
+    assert.throws(() => encode({ x: "a\ud800" }), { kind: "range", message: /half of a character \(U\+D800\)/ });
+    assert.throws(() => encode({ x: "\udc00" }), { kind: "range" });
+});
+
+test("numbers of sets and fields are checked", () => {
+    for (const wrong of ["1", null, undefined, NaN, 0, 255, 1.5]) assert.throws(() => buildPacket(protocol, wrong, []), { kind: "set" });
+    for (const wrong of ["1", null, undefined, -1, 256, 1.5]) {
+        assert.throws(() => buildPacket(protocol, 1, [{ descriptor: wrong, raw: "" }]), { kind: "descriptor" });
+    }
+    for (const wrong of [12, null, undefined, "1", "0x", " 12"]) assert.throws(() => fromHex(wrong), { kind: "hex" });
 });
 
 test("text is Latin-1", () => {
@@ -101,8 +186,14 @@ test("what is decoded says where its bytes are", () => {
 });
 
 test("units of elements", () => {
-    assert.deepEqual([0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)), ["m", "", "deg"]);
-    assert.deepEqual([0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)), ["m", "m"]);
+    assert.deepEqual(
+        [0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)),
+        ["m", "", "deg"],
+    );
+    assert.deepEqual(
+        [0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)),
+        ["m", "m"],
+    );
     assert.equal(mip.unitOf({}), "");
 });
 
@@ -121,7 +212,10 @@ test("what bytes consist of", () => {
     damaged[damaged.length - 1] ^= 1;
     const kinds = (...parts) => {
         const found = segments(protocol, Uint8Array.from(parts.flatMap((part) => [...part])));
-        assert.deepEqual(found.flatMap((part) => [...part.bytes]), parts.flatMap((part) => [...part]));
+        assert.deepEqual(
+            found.flatMap((part) => [...part.bytes]),
+            parts.flatMap((part) => [...part]),
+        );
         return found.map((part) => part.kind).join(" ");
     };
     assert.equal(kinds(), "");
@@ -155,7 +249,11 @@ test("every descriptor is found in every form", () => {
         if (!field.set) return;
         const wanted = protocol.candidates(field.set, field.descriptor).map((one) => one.name);
         const text = forms[i % forms.length](pair(field));
-        assert.deepEqual(find(index, text, wanted.length).map((one) => one.field.name), wanted, text);
+        assert.deepEqual(
+            find(index, text, wanted.length).map((one) => one.field.name),
+            wanted,
+            text,
+        );
     });
     for (const form of forms) {
         const field = protocol.model.fields.at(-1);
@@ -166,7 +264,10 @@ test("every descriptor is found in every form", () => {
 test("a set is found by its number, its own fields first", () => {
     for (const set of protocol.model.sets) {
         const found = find(index, `0x${set.number.toString(16)}`, set.fields.length);
-        assert.deepEqual(found.map(({ field }) => field.name), set.fields);
+        assert.deepEqual(
+            found.map(({ field }) => field.name),
+            set.fields,
+        );
     }
 });
 

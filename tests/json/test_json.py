@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft7Validator
+from mipgen import guided, simulated
 from mipgen import model as m
-from mipgen import simulated
 from mipgen.targets.json import document
 from support import ROOT, SPECS, model
 
@@ -29,11 +29,13 @@ DEFINITIONS: dict[type, str] = {
     m.Bitfield: "bitfield", m.Vector: "vector", m.Struct: "struct", m.Parameter: "parameter", m.Variant: "variant",
     m.Condition: "condition", m.Field: "field", m.Set: "set", m.Device: "device", m.Example: "example",
     m.Erratum: "erratum", simulated.Simulation: "simulation", m.Source: "source",
+    guided.Guide: "guide", guided.Sequence: "guide_sequence", guided.Step: "guide_step", guided.Stream: "guide_data",
+    guided.Shown: "guide_field", guided.Migration: "guide_migration", guided.Change: "guide_change",
 }  # fmt: skip
 
 #: What an object has in another form than as an attribute of the model.
 ADDED = {
-    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "constants"}, "enum": {"symbols"},
+    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "typical", "constants"}, "enum": {"symbols"},
     "bitfield": {"symbols"}, "struct": {"symbols"}, "variant": {"only"},
 }  # fmt: skip
 
@@ -113,6 +115,7 @@ def test_everything_is_there(spec: str) -> None:
     assert [x["id"] for x in d["devices"]] == [x.id for x in of.devices]
     assert [x["id"] for x in d["examples"]] == [x.id for x in of.examples]
     assert [x["id"] for x in d["errata"]] == [x.id for x in of.errata]
+    assert [x["name"] for x in d["guides"]] == [x.name for x in of.guides]
 
 
 def objects(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
@@ -144,7 +147,7 @@ def test_every_name_leads_somewhere(spec: str) -> None:
     }
     seen: set[str] = set()
     for path, thing in objects(d):
-        if {"values", "stated", "functions", "oneOf"} & set(path):
+        if {"values", "stated", "functions", "oneOf", "typical"} & set(path) or path[:1] == ("programs",):
             continue
         for key, value in thing.items():
             if isinstance(value, str) and key in known and not (key == "set" and "fields" in path):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import gzip
+import importlib
 import io
 import os
 import random
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -46,6 +48,26 @@ def parsed(package: Any, stream: bytes) -> list[tuple[int, Any]]:
             found.append((at, one))
             at += len(one)
     return found
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The compiled code, which both packages share."""
+    build_module = importlib.import_module(f"{real.name}.columns.build")
+    path: Path = build_module.build(tmp_path_factory.mktemp("kernel"))
+    return path
+
+
+def use(monkeypatch: pytest.MonkeyPatch, path: Path | None) -> None:
+    """All that follows is with NumPy alone, or with the compiled code."""
+    for package in PACKAGES.values():
+        kernel = None if path is None else package.columns.native.Kernel(path)
+        monkeypatch.setattr(package.columns.native, "kernel", kernel)
+
+
+@pytest.fixture(params=["numpy", "compiled"])
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, request.getfixturevalue("built") if request.param == "compiled" else None)
 
 
 # --------------------------------------------------------------------------- columns and objects
@@ -202,6 +224,7 @@ def streams(spec: str, seed: int, count: int) -> bytes:
     return bytes(out)
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("many", [1, 64])
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -212,6 +235,7 @@ def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypa
     assert compare(package, streams(spec, seed=many, count=700)) > 1000
 
 
+@pytest.mark.usefixtures("way")
 def test_short_packets_keep_their_bytes() -> None:
     """Those of one word, whose checksums are computed in place."""
     assert (
@@ -219,6 +243,18 @@ def test_short_packets_keep_their_bytes() -> None:
     )
 
 
+@pytest.mark.usefixtures("way")
+def test_fields_at_the_end_of_full_packets() -> None:
+    """Their data begin more than 255 bytes behind the beginning of the packet."""
+    full = [(1, b"")] * 124 + [(1, bytes(5))]
+    ends = [[*full[:124], (1, b""), (2, bytes(3))], [*full[:124], (2, bytes(3)), (1, b"")], [(1, b"")] * 127]
+    assert all(250 < len(packet(0x01, *fields)) - 6 <= 255 for fields in ends)
+    compare(real, b"".join(packet(0x01, *fields) for fields in ends * 100))
+    column = real.columns.read_log(packet(0x01, *[(1, b"")] * 127) + packet(0x01, (1, b"")))["base.ping"]
+    assert column.packet.tolist() == [0] * 127 + [1]
+
+
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("layouts", [2, 30])
 def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> None:
     """Few layouts, which are compared with each other, and more than are compared."""
@@ -234,6 +270,7 @@ def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> 
     assert compare(real, b"".join(out)) > 1000
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_columns_equal_objects_for_every_field(spec: str) -> None:
     package = PACKAGES[spec]
@@ -266,6 +303,7 @@ STREAMS = {
 }
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("name", sorted(STREAMS))
 @pytest.mark.parametrize("piece", [7, 300, 1 << 22])
 def test_packets_are_those_of_the_parser_however_a_log_is_cut(
@@ -295,6 +333,7 @@ def test_packets_are_those_of_the_parser_however_a_log_is_cut(
     assert sum(sizes) == len(places)
 
 
+@pytest.mark.usefixtures("way")
 def test_a_part_begins_right_behind_packets_that_overlap_far_back(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whether a packet counts depends on the one it overlaps, and on the one before that one, and so on."""
     columns = real.columns
@@ -318,7 +357,8 @@ def test_a_part_begins_right_behind_packets_that_overlap_far_back(monkeypatch: p
 
 
 def test_long_noise_takes_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Headers of long packets, one every four bytes: each is checked, a few at a time."""
+    """Headers of long packets, one every four bytes: NumPy checks each, a few at a time."""
+    use(monkeypatch, None)
     seen = []
     gather = real.columns.scan.gather
     monkeypatch.setattr(
@@ -472,6 +512,7 @@ def test_times_that_cannot_be(tow: float) -> None:
     assert column.time().clock == ""
 
 
+@pytest.mark.usefixtures("way")
 def test_times_and_rates_are_the_same_for_every_way_of_cutting(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(real.columns.times, "REACH", 300)
     rng = random.Random(4)
@@ -604,6 +645,100 @@ except ImportError as error:
     environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.stdout.endswith(f"{missing} is missing; pip install 'mip-protocol[{missing}]'\n"), done.stderr
+
+
+# --------------------------------------------------------------------------- compiled code
+
+
+def same(a: Any, b: Any) -> bool:
+    """Are two columns the same, bit by bit?"""
+    if not isinstance(a, np.ndarray):
+        return type(a) is type(b) and all(same(x, y) for x, y in zip(a, b, strict=True)) if a is not None else b is None
+    masks = [np.ma.getmaskarray(x).tobytes() for x in (a, b)]
+    held = [x.tolist() if x.dtype == object else np.ascontiguousarray(x).tobytes() for x in map(np.ma.getdata, (a, b))]
+    return a.dtype == b.dtype and a.shape == b.shape and masks[0] == masks[1] and held[0] == held[1]
+
+
+@pytest.mark.parametrize("piece", [100, 5000, 1 << 20])
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_compiled_code_gives_the_same_arrays(
+    spec: str, piece: int, built: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = PACKAGES[spec]
+    monkeypatch.setattr(package.columns.log, "_PIECE", piece)
+    stream = streams(spec, seed=piece, count=900)
+    found = []
+    for path in (None, built):
+        use(monkeypatch, path)
+        assert package.columns.compiled() is (path is not None)
+        log = package.columns.read_log(stream)
+        columns = log.columns()
+        arrays = [[c.packet, c.offset, c.set, *c.time()[1:], *(c[name] for name in c.names)] for c in columns]
+        found.append(([c.type for c in columns], log.packets, log.skipped, log.types(), arrays))
+    assert found[0][:4] == found[1][:4]
+    assert all(same(a, b) for one, other in zip(found[0][4], found[1][4], strict=True) for a, b in zip(one, other))
+
+
+def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, built)
+    many = [packet(s, (d, bytes(3)), (d, b"")) for s in range(1, 40) for d in range(1, 30)] + [packet(0x80, ACCEL)]
+    stream = b"".join(many)
+    assert real.columns.native.kernel is not None
+    data = np.frombuffer(stream + bytes(300), np.uint8)
+    found = real.columns.scan.packets(data, 0, len(stream), len(stream))
+    assert real.columns.native.kernel.fields(data, found.at) is None
+    compare(real, stream)
+
+
+def build(*words: str, path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "mip_protocol.columns.build", *words]
+    own = {**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1", "CC": "", **environment}
+    return subprocess.run(command, capture_output=True, text=True, env=own)
+
+
+def test_the_command_that_compiles(tmp_path: Path) -> None:
+    folder = shutil.copytree(REAL / "mip_protocol", tmp_path / "mip_protocol")
+    asked = [sys.executable, "-c", "import mip_protocol.columns as c; print(c.compiled(), c.read_log(b'').packets)"]
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    before = subprocess.run(asked, capture_output=True, text=True, env=environment)
+    assert before.stdout == "False 0\n", before.stderr
+    for compiler, said in (
+        ("/nowhere/cc", "/nowhere/cc: No such file or directory"),
+        ("false", "false -std=c99"),
+        ("true", "what true has made cannot be loaded"),
+    ):
+        failed = build(path=tmp_path, CC=compiler)
+        assert failed.returncode == 1 and said in failed.stderr and "Traceback" not in failed.stderr
+    missing = build(path=tmp_path, PATH=str(tmp_path))
+    assert missing.returncode == 1
+    assert missing.stderr.endswith("no C compiler found: none of cc, gcc, clang; name one with CC\n")
+    assert build("now", path=tmp_path).returncode == 2
+    assert not list(folder.rglob("*.so")) + list(folder.rglob("*.part"))
+    done = build(path=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert Path(done.stdout.splitlines()[0]).parent == folder / "columns"
+    after = subprocess.run(asked, capture_output=True, text=True, env=environment)
+    assert after.stdout == "True 0\n", after.stderr
+    source = folder / "columns/kernel.c"
+    source.write_text(source.read_text() + "/* newer */\n")  # what was compiled of the old one does not count
+    assert subprocess.run(asked, capture_output=True, text=True, env=environment).stdout == "False 0\n"
+
+
+@pytest.mark.parametrize("content", [b"", b"no library"])
+def test_what_is_no_compiled_code_is_left_alone(content: bytes, tmp_path: Path) -> None:
+    path = real.columns.native.library(tmp_path)
+    assert real.columns.native.found(path) is None
+    path.write_bytes(content)
+    assert real.columns.native.found(path) is None
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_compiled_code_is_clean(compiler: str, tmp_path: Path) -> None:
+    if not shutil.which(compiler):
+        pytest.skip(f"{compiler} is not installed")
+    options = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c"]
+    command = [compiler, *options, "-o", str(tmp_path / "kernel.o"), str(real.columns.native.SOURCE)]
+    subprocess.run(command, check=True)
 
 
 # --------------------------------------------------------------------------- documentation

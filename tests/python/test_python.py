@@ -17,7 +17,7 @@ from mipgen import render
 from mipgen.resolve import load_model
 from mipgen.targets.python import members, names
 from packages import REAL, Package, mip, real
-from support import ROOT, SPECS, all_fields, another_python, heavy, model, parse_as
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as
 from terse import filled
 
 
@@ -622,10 +622,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
 
 def assert_strict(folder: Path) -> None:
     """The types of a package are complete and right."""
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "mip_protocol"],
-        cwd=folder, capture_output=True, text=True,
-    )  # fmt: skip
+    done = mypy(folder, "mip_protocol")
     assert done.returncode == 0, done.stdout
 
 

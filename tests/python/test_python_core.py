@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import SPECS, heavy, model
+from support import SPECS, heavy, model, mypy
 from test_python import REAL, Package, mip, real, reply, user
 
 PACKAGES = {"invented": mip, "real": real}
@@ -483,10 +483,7 @@ def test_type_checkers_see_the_modules_and_the_elements(tmp_path: Path) -> None:
         "    found: list[mip_protocol.Field | mip_protocol.RawField] = list(fields)\n"
         "mip_protocol.nothing\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path / "cache", tmp_path / "user.py"],
-        cwd=REAL, capture_output=True, text=True,
-    )  # fmt: skip
+    done = mypy(REAL, tmp_path / "user.py")
     assert done.stdout.splitlines()[0].endswith('user.py:7: error: Module has no attribute "nothing"  [attr-defined]')
     assert "Found 1 error" in done.stdout
 

@@ -8,7 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from support import BUILD, ROOT, locked, need
+import crates
+from support import ROOT, need
 
 README = (ROOT / "README.md").read_text("utf-8")
 
@@ -56,28 +57,13 @@ def test_python() -> None:
     assert printed == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
+@crates.group
 def test_rust() -> None:
     source = (ROOT / "generated/rust/examples/taste.rs").read_text("utf-8")
     assert source == block("rust")
-    crate = BUILD / "readme-rust"
-    with locked(crate):
-        (crate / "src").mkdir(parents=True, exist_ok=True)
-        (crate / "src/main.rs").write_text(source)
-        (crate / "Cargo.toml").write_text(
-            '[package]\nname = "taste"\nversion = "0.0.0"\nedition = "2021"\n\n[workspace]\n\n'
-            f'[dependencies]\nmip-protocol = {{ path = "{ROOT}/generated/rust" }}\n'
-        )
-        manifest = crate / "Cargo.toml"
-        printed = run(
-            need("cargo"),
-            "run",
-            "--quiet",
-            "--offline",
-            "--manifest-path",
-            manifest,
-            CARGO_TARGET_DIR=str(BUILD / "rust"),
-        )
-    assert printed == "8 bytes to send\n0.2445 g along x\n"
+    target = '[[bin]]\nname = "readme"\npath = "readme.rs"\ntest = false\n'
+    folder = crates.project("real", "readme", target, files={"readme.rs": source.encode()})
+    assert crates.passes(folder, "run", "--offline", "--quiet") == "8 bytes to send\n0.2445 g along x\n"
 
 
 def test_every_target_of_make_is_there() -> None:

@@ -40,7 +40,7 @@ impl Port for Line {
         Ok(())
     }
 
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         black_box(7)
     }
 }

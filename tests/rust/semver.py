@@ -15,10 +15,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from crates import WORK, without_dependencies
 from mipgen import render, revisions
 from mipgen.resolve import load_model
 from support import ROOT, SPECS, locked, need
-from test_rust import WORK, without_dependencies
 
 SET = """# yaml-language-server: $schema=../../../../spec/schema/set.schema.json
 set: 0x84

@@ -1,7 +1,7 @@
 """The Rust crate as its users see it: no_std, features, lints, documentation, and its own tests.
 
 What every field does is tested by `everything.py`, which writes a Rust test from the specification;
-the rest stands in `cases/`. All of it builds into one target folder.
+the rest stands in `cases/`.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,129 +16,18 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import awkward
 import everything
 import pytest
-from mipgen import model as m
+from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, write
 from mipgen import render
-from mipgen.resolve import load_model
 from mipgen.targets.rust import names
-from support import BUILD, ROOT, SPECS, heavy, locked, model, need
+from support import ROOT, heavy, locked, need
 from support import driver as conformance_driver
 
 HERE = Path(__file__).parent
-WORK = BUILD / "rust"
 EMBEDDED = "thumbv7m-none-eabi"
 LONG = "the Rust crate in many more builds"
 each = pytest.mark.parametrize("spec", ["awkward", "invented", "real"])
-#: Nothing here is debugged, or built again after a small change: that would cost a third of the time.
-PROFILE = {"CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TERM_COLOR": "never"}
-
-
-# --------------------------------------------------------------------------- crates and projects
-
-
-def write(files: dict[str, bytes], folder: Path) -> None:
-    """Writes what differs, so that cargo builds nothing again for nothing."""
-    for name, data in files.items():
-        path = folder / name
-        if not path.is_file() or path.read_bytes() != data:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
-
-
-@cache
-def specification(spec: str) -> m.Model:
-    """`awkward` is the invented specification with some more sets."""
-    if spec != "awkward":
-        return model(spec)
-    folder = WORK / "awkward" / "spec"
-    with locked(WORK / "awkward-spec"):
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(SPECS["invented"][0], folder)
-        for name, text in awkward.FILES.items():
-            (folder / "sets" / name).write_text(text, "utf-8")
-        return load_model(folder)
-
-
-@cache
-def rendered(spec: str) -> dict[str, bytes]:
-    return render.render("rust", specification(spec))
-
-
-@cache
-def crate(spec: str) -> Path:
-    """The crate as it is."""
-    folder = WORK / spec / "mip-protocol"
-    with locked(WORK / f"{spec}-crate"):
-        render.write(rendered(spec), folder)
-    return folder
-
-
-@cache
-def bare(spec: str) -> Path:
-    """The crate without optional dependencies."""
-    with locked(WORK / f"{spec}-bare"):
-        write(without_dependencies(rendered(spec)), WORK / spec / "bare")
-    return WORK / spec / "bare"
-
-
-def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
-    """Cargo wants to know optional dependencies even where it does not use them."""
-    manifest = files["Cargo.toml"].decode("utf-8")
-    manifest = re.sub(r"\[(?:.*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
-    manifest = re.sub(r'\["dep:[\w-]+"\]', "[]", manifest)
-    assert "dep:" not in manifest and "dependencies]" not in manifest
-    return {**files, "Cargo.toml": f"{manifest}\n[workspace]\n".encode()}
-
-
-def project(
-    spec: str,
-    name: str,
-    targets: str,
-    features: str = '"std", "dynamic"',
-    files: dict[str, bytes] | None = None,
-    default: bool = True,
-) -> Path:
-    """A package that uses the crate; for tests of its documentation, cargo wants it without other dependencies."""
-    manifest = f"""[package]
-name = "{name}"
-version = "0.0.0"
-edition = "2021"
-publish = false
-autotests = false
-
-[dependencies]
-mip-protocol = {{ path = "../bare", features = [{features}], default-features = {str(default).lower()} }}
-
-{targets}
-[profile.release]
-lto = true
-codegen-units = 1
-panic = "abort"
-
-[workspace]
-"""
-    bare(spec)
-    folder = WORK / spec / name
-    with locked(WORK / f"{spec}-{name}"):
-        write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"#![no_std]\n", **(files or {})}, folder)
-    return folder
-
-
-def cargo(folder: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """One at a time: both specifications make a crate of the same name in one target folder."""
-    with locked(WORK / "cargo"):
-        return subprocess.run(
-            [need("cargo"), *arguments], cwd=folder, capture_output=True, text=True,
-            env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), **PROFILE, **environment},
-        )  # fmt: skip
-
-
-def passes(folder: Path, *arguments: str, **environment: str) -> str:
-    done = cargo(folder, *arguments, **environment)
-    assert done.returncode == 0, f"cargo {' '.join(arguments)}\n{done.stdout[-6000:]}{done.stderr[-6000:]}"
-    return done.stdout
 
 
 @cache
@@ -445,7 +333,10 @@ def test_every_set_is_a_module() -> None:
 
 
 def build_driver(generated: Path, build: Path) -> str:
-    done = subprocess.run([str(HERE / "build_driver.sh"), str(generated), str(build)], capture_output=True, text=True)
+    done = subprocess.run(
+        [str(HERE / "build_driver.sh"), str(generated), str(build)], capture_output=True, text=True,
+        env={**os.environ, "CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"},
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()[-1]
 

@@ -9,11 +9,11 @@ import re
 from collections.abc import Iterator
 
 import pytest
+from crates import rendered, specification
 from mipgen import describe
 from mipgen import model as m
 from mipgen.targets.rust import names
 from mipgen.targets.rust.records import Records
-from test_rust import rendered, specification
 
 #: Module, type and member ("" for the type itself).
 Item = tuple[str, str, str]

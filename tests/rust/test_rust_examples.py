@@ -14,13 +14,14 @@ from typing import Any
 
 import everything
 import pytest
+from crates import WORK, passes, project, rendered, write
 from mipgen import model as m
 from mipgen import render
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
 from support import PATIENCE, SPECS, heavy, locked, model, need, simulated
-from test_rust import EMBEDDED, HERE, LONG, WORK, embedded, passes, project, rendered, write
+from test_rust import EMBEDDED, HERE, LONG, embedded
 
 HEAD = """//! Made by test_rust_examples.py.
 
@@ -120,6 +121,8 @@ def number(op: m.ScalarOp, value: Any) -> str:
 # --------------------------------------------------------------------------- the folder examples
 
 FEATURES = "std,serde"
+#: Sets that the programs need: all of them with `serde` take as long as everything else here. `make test-all` has them.
+SETS = "base,mip_3dm,sensor,shared"
 
 #: Noise, and accelerations from the manual.
 ACCEL = bytes.fromhex("7565800e0e043e7a63a0bb8e3b297fe5bf7f84ee")
@@ -139,7 +142,8 @@ def crate() -> Path:
 
 @cache
 def programs() -> Path:
-    passes(crate(), "build", "--quiet", "--locked", "--examples", "--features", FEATURES)
+    features = ("--no-default-features", "--features", f"{FEATURES},{SETS}")
+    passes(crate(), "build", "--quiet", "--locked", "--examples", *features)
     return WORK / "target/debug/examples"
 
 

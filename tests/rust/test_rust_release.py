@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from crates import WORK, bare, crate, passes, rendered, specification
 from mipgen.targets.rust import OLDEST, names
 from support import ROOT, SPECS, heavy, locked, need
-from test_rust import EMBEDDED, WORK, bare, crate, embedded, passes, rendered, specification, with_dependencies
+from test_rust import EMBEDDED, embedded, with_dependencies
 
 #: Rust that is needed by features that bring dependencies, as locked for the tests.
 DEPENDENCIES = {"serde": "1.81", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81"}

@@ -39,7 +39,16 @@ function streamTable({ set, base }, rows) {
         element(
             "div",
             { class: "mip-scroll" },
-            element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(({ line }) => line))),
+            element(
+                "table",
+                {},
+                element("thead", {}, element("tr", {}, heads)),
+                element(
+                    "tbody",
+                    {},
+                    rows.map(({ line }) => line),
+                ),
+            ),
         ),
     );
 }
@@ -48,7 +57,13 @@ function streamTable({ set, base }, rows) {
 function streamRow(field, { set, base }, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
-    const number = element("input", { type: "number", min: base ? 1 : 0, step: base ? 1 : "any", value: base ? 10 : 1, "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}` });
+    const number = element("input", {
+        type: "number",
+        min: base ? 1 : 0,
+        step: base ? 1 : "any",
+        value: base ? 10 : 1,
+        "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}`,
+    });
     const text = element("td", { class: "mip-rate" });
     const rateOf = () => {
         const given = Math.max(0, Number(number.value) || 0);

@@ -1,8 +1,9 @@
 // The tools for the browser.
 
 export { bandwidth } from "./bandwidth.mjs";
-export { answerOf, initialValues, packetOf } from "./build.mjs";
+export { answerOf, initialValues, packetOf, typicalValues } from "./build.mjs";
 export { builder } from "./builder.mjs";
+export { programOf } from "./code.mjs";
 export { find, indexOf } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { bytesOfText } from "./input.mjs";

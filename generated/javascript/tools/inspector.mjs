@@ -20,7 +20,15 @@ export function inspector(root, protocol, options = {}) {
         output.replaceChildren(...report(found, to));
     };
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets")),
+        element(
+            "p",
+            {},
+            element(
+                "label",
+                { for: "mip-bytes" },
+                "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets",
+            ),
+        ),
         input,
         element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
         output,

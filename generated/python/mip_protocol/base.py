@@ -497,8 +497,7 @@ class SetIdle(Command[None]):
     3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
     3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
 
-    The resume command restores the previous mode. While idle, the device does not send NMEA
-    sentences either.
+    `Resume` restores the previous mode. While idle, the device does not send NMEA sentences either.
 
     - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -659,7 +658,7 @@ class Resume(Command[None]):
 class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
 
-    Gets the supported descriptors that did not fit into the reply of get device descriptors.
+    Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
     Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
     3DM-GX5-35. May be supported by 3DM-GX5-45.
@@ -694,9 +693,9 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
     3DM-CV7-GNSS/INS.
 
-    It is less thorough than the built-in test command. Each flag stays set until this command
-    reports it; the streamed field has its own copy of the flags. The self-test flags change only
-    when the built-in test command runs.
+    It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
+    streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
+    runs.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """

@@ -31,6 +31,9 @@ R3 = TypeVar("R3", bound="Response | None")
 R4 = TypeVar("R4", bound="Response | None")
 Callback = Callable[[bytes], object]
 
+#: Why a port is not open although it was opened again.
+CLOSED_MEANWHILE = "the device has been closed while it was opened again"
+
 
 class Device:
     """A device on an open port. A `with` statement closes it at the end."""
@@ -97,24 +100,26 @@ class Device:
         """Opens the port again after it was lost or closed, trying for `timeout` seconds.
 
         Waiting commands end without an answer; data already received is kept. Raises OSError if it
-        is not available in time, ValueError if `open_port` has not opened it.
+        is not available in time, PortClosed if the device is closed meanwhile, ValueError if
+        `open_port` has not opened it.
         """
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
-        reader = self._reader
+        reader, closes = self._reader, self._closes
         with self._opening:
             if self._reader is reader:  # else another thread has done it meanwhile
-                self._open_again(self._again, timeout)
+                self._open_again(self._again, timeout, closes)
 
-    def _open_again(self, again: Callable[[], Any], timeout: float) -> None:
+    def _open_again(self, again: Callable[[], Any], timeout: float, closes: int) -> None:
         self._reader.stop()
-        closes = self._closes
         end = time.monotonic() + timeout
         while True:
             try:
                 port = again()
                 break
             except OSError:
+                if self._closes != closes:
+                    raise PortClosed(CLOSED_MEANWHILE) from None
                 if time.monotonic() >= end:
                     raise
                 time.sleep(0.1)
@@ -126,7 +131,7 @@ class Device:
                 self._start(port)
         if meanwhile:
             port.close()
-            raise PortClosed("the device has been closed while it was opened again")
+            raise PortClosed(CLOSED_MEANWHILE)
 
     # ----------------------------------------------------------------- what is known
 

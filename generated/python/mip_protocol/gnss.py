@@ -30,7 +30,7 @@ class ReceiverInfoEntry(Structure):
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
     mip_data_descriptor_set: int
-    """Descriptor set of the data of this receiver. Range: 128 to 254."""
+    """Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."""
     description: str
     """Module name or model and firmware version, separated by a comma."""
 

@@ -365,7 +365,7 @@ class SensorRangeEntry(Structure):
     __match_args__ = ("setting", "range")
 
     setting: int
-    """Value for the sensor range command."""
+    """Value for `SensorRange`."""
     range: float
     """Largest measurable value."""
 
@@ -436,7 +436,7 @@ class ImuMessageFormatResponse(Response):
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of Sensor data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -482,7 +482,7 @@ class GnssMessageFormatResponse(Response):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of GNSS data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -528,7 +528,7 @@ class FilterMessageFormatResponse(Response):
 
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of Filter data."""
 
     def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptors = descriptors
@@ -799,7 +799,7 @@ class ImuLowPassFilterResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17.
+    magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
     """
     enable: bool
     """Whether the quantity is filtered. Default: true."""
@@ -949,7 +949,7 @@ class MessageFormatResponse(Response):
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
-    """Fields and decimations."""
+    """Fields and decimations. Refers to fields of `descriptor_set`."""
 
     def __init__(self, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> None:
         self.descriptor_set = descriptor_set
@@ -4113,7 +4113,7 @@ class LowPassFilterResponse(Response):
     descriptor_set: int
     """Descriptor set of the field."""
     field_descriptor: int
-    """Field descriptor; 0 if the set is 0."""
+    """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
     enable: bool
     """Whether the field is filtered."""
     manual: bool
@@ -4166,7 +4166,7 @@ class PollImuData(Command[None]):
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-GX5-45.
 
-    An empty list polls the stored message format; if none is stored, the device refuses the
+    An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device refuses the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
     packet after the reply.
 
@@ -4185,7 +4185,7 @@ class PollImuData(Command[None]):
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Refers to fields of Sensor data."""
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
         self.suppress_ack = suppress_ack
@@ -4247,8 +4247,8 @@ class PollGnssData(Command[None]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-    not say how a poll uses it.
+    """Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
+    of the reserved number and does not say how a poll uses it.
     """
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
@@ -4290,9 +4290,9 @@ class PollFilterData(Command[None]):
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    An empty list polls the stored message format; if none is stored, the device refuses the
-    command. Descriptors that the device does not know are ignored. The data is sent in a separate
-    packet after the reply.
+    An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device refuses
+    the command. Descriptors that the device does not know are ignored. The data is sent in a
+    separate packet after the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -4309,7 +4309,7 @@ class PollFilterData(Command[None]):
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Refers to fields of Filter data."""
 
     def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
         self.suppress_ack = suppress_ack
@@ -4404,7 +4404,7 @@ class PollNmeaData(Command[None]):
 class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
-    Gets the rate that is divided by the decimations of the IMU message format.
+    Gets the rate that is divided by the decimations of `ImuMessageFormat`.
 
     Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
@@ -4431,7 +4431,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
-    Gets the rate that is divided by the decimations of the GNSS message format.
+    Gets the rate that is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
@@ -4470,9 +4470,9 @@ class ImuMessageFormat(Command[R]):
     `ImuMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the desired rate. The list replaces the previous one. If any descriptor is unknown, the device
-    refuses the command and changes nothing.
+    The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
+    The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+    and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -4492,7 +4492,7 @@ class ImuMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of Sensor data. Required for `write`."""
 
     def __init__(
         self,
@@ -4586,8 +4586,7 @@ class GnssMessageFormat(Command[R]):
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
-    the desired rate.
+    The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -4608,7 +4607,7 @@ class GnssMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of GNSS data. Required for `write`."""
 
     def __init__(
         self,
@@ -4702,9 +4701,9 @@ class FilterMessageFormat(Command[R]):
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
     and 3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the desired rate. The list replaces the previous one. If any descriptor is unknown,
-    the device refuses the command and changes nothing.
+    The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
+    The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+    and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -4724,7 +4723,7 @@ class FilterMessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of Filter data. Required for `write`."""
 
     def __init__(
         self,
@@ -4809,7 +4808,7 @@ class FilterMessageFormat(Command[R]):
 class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
-    Gets the rate that is divided by the decimations of the estimation filter message format.
+    Gets the rate that is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -4959,7 +4958,7 @@ class PollData(Command[None]):
 
     Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 
-    An empty list polls the stored message format; if none is stored, the device refuses the
+    An empty list polls what `MessageFormat` stores; if nothing is stored, the device refuses the
     command. Descriptors that the device does not know are ignored. The data is sent in a separate
     packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before
     the others.
@@ -4976,12 +4975,12 @@ class PollData(Command[None]):
     ROLE = "command"
 
     descriptor_set: int
-    """Data descriptor set. Range: 128 to 254."""
+    """Data descriptor set. Range: 0x80 to 0xFE."""
     suppress_ack: bool
     """Send no acknowledge."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
-    """Field descriptors."""
+    """Field descriptors. Refers to fields of `descriptor_set`."""
 
     def __init__(
         self, descriptor_set: int, suppress_ack: bool, descriptors: tuple[int, ...]
@@ -5042,7 +5041,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     _LAYOUT = (("descriptor_set", "B", None),)
 
     descriptor_set: int
-    """Data descriptor set. Range: 128 to 254."""
+    """Data descriptor set. Range: 0x80 to 0xFE."""
 
     def __init__(self, descriptor_set: int) -> None:
         self.descriptor_set = descriptor_set
@@ -5073,9 +5072,9 @@ class MessageFormat(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The decimation is the base rate, as the get data base rate command reports it, divided by the
-    desired rate. List shared descriptors (0xD0 and up) under the set whose packets will contain
-    them, before the others.
+    The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
+    shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
+    others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -5097,7 +5096,7 @@ class MessageFormat(Command[R]):
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
-    """Fields and decimations. Required for `write`."""
+    """Fields and decimations. Refers to fields of `descriptor_set`. Required for `write`."""
 
     def __init__(
         self,
@@ -5935,8 +5934,8 @@ class PpsSourceControl(Command[R]):
     `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
     3DM-CV7-AR.
 
-    The pins are configured separately, by the GPIO configuration command. The filter needs a valid
-    pulse; `disabled` and `generated` are rarely useful.
+    The pins are configured separately, by `GpioConfig`. The filter needs a valid pulse; `disabled`
+    and `generated` are rarely useful.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -6307,8 +6306,8 @@ class EventTriggerConfig(Command[R]):
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `EventTriggerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
-    its pin configured by the GPIO configuration command.
+    The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
+    configured by `GpioConfig`.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -6724,13 +6723,13 @@ class SensorToVehicleTransformEuler(Command[R]):
     `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
     and 3DM-GQ7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
-    back may be another form of it. Starting in line with the vehicle frame, the sensor is rotated
-    by yaw, pitch and roll about its own z, y and x axes, in this order. `v_vehicle = Rz(yaw) *
-    Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data, the complementary filter and the
-    attitude, acceleration, rate and gravity of the filter. A change resets the low-pass filters,
-    the complementary filter and the estimation filter. On some older devices the setting is the
-    inverse rotation.
+    `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
+    transformation; the value read back may be another form of it. Starting in line with the vehicle
+    frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this
+    order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data,
+    the complementary filter and the attitude, acceleration, rate and gravity of the filter. A
+    change resets the low-pass filters, the complementary filter and the estimation filter. On some
+    older devices the setting is the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -6869,9 +6868,9 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
     3DM-CV7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
-    back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are
-    quaternions with the scalar part 0. This is the inverse of the quaternion that
+    `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
+    the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
+    vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
     `filter.SensorToVehicleRotationQuaternion` takes. A change resets the low-pass filters, the
     complementary filter and the estimation filter.
 
@@ -6986,10 +6985,10 @@ class SensorToVehicleTransformDcm(Command[R]):
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
-    back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix
-    that `filter.SensorToVehicleRotationDcm` takes. A change resets the low-pass filters, the
-    complementary filter and the estimation filter.
+    `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
+    transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. A change
+    resets the low-pass filters, the complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -7330,9 +7329,8 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
-    comes after the averaging time. The bias is not saved; to save it, use the gyroscope bias
-    configuration command with save. The 3DM-GX5-15 also initializes its orientation from the
-    samples.
+    comes after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
+    The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -8000,8 +7998,8 @@ class GpioState(Command[R]):
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
     configured as an output. An event action of mode `active_high` or `active_low` on the pin
-    overrides the written state. Reading is guaranteed to work only with the gpio feature. The GPIO
-    configuration command determines the state at power-up.
+    overrides the written state. Reading is guaranteed to work only with the gpio feature.
+    `GpioConfig` determines the state at power-up.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -8271,7 +8269,7 @@ class ImuLowPassFilter(Command[R]):
     """What to do with the setting."""
     target_descriptor: int | None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17.
+    magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
 
     - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
       angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
@@ -8634,8 +8632,8 @@ class SensorRange(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The get calibrated sensor ranges command lists the settings. The device may refuse other
-    settings, or measure incorrectly with them.
+    `GetCalibratedSensorRanges` lists the settings. The device may refuse other settings, or measure
+    incorrectly with them.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -8835,7 +8833,7 @@ class LowPassFilter(Command[R]):
     descriptor_set: int | None
     """Descriptor set of the field."""
     field_descriptor: int | None
-    """Field descriptor; 0 if the set is 0."""
+    """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
     enable: bool | None
     """Whether the field is filtered. Required for `write`."""
     manual: bool | None

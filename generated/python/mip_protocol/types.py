@@ -396,7 +396,7 @@ class EventTriggerThreshold(Structure):
     descriptor_set: int
     """Data descriptor set of the watched value."""
     field_descriptor: int
-    """Field descriptor of the watched value."""
+    """Field descriptor of the watched value. Refers to fields of `descriptor_set`."""
     parameter_id: int
     """Number of the value in its field, counted from 1; each element of a vector counts. Range: at
     least 1.
@@ -553,7 +553,7 @@ class EventActionMessage(Structure):
     # On the wire only: num_fields. Number of fields in the packet. The number of elements of
     # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
-    """Field descriptors, in order."""
+    """Field descriptors, in order. Refers to fields of `descriptor_set`."""
 
     def __init__(self, descriptor_set: int, decimation: int, descriptors: tuple[int, ...]) -> None:
         self.descriptor_set = descriptor_set

@@ -14,8 +14,8 @@ use crate::registry::AnyField;
 
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
-/// The caller transfers the bytes and provides the time: any count of milliseconds that never
-/// decreases. A [`Device`](crate::device::Device) does both for a port.
+/// The caller transfers the bytes and provides the time: a count of milliseconds that only goes
+/// forward, and may wrap around. A [`Device`](crate::device::Device) does both for a port.
 ///
 /// 1. [`Client::send`] returns the bytes of one command to send; for several in one packet,
 ///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
@@ -63,7 +63,7 @@ struct Slot {
     /// The number of the event, of those that happened; the same if they happened at once.
     order: u32,
     /// When it times out; how long it may take, until it is sent.
-    deadline: u64,
+    deadline: u32,
     kind: Option<&'static Kind>,
     /// The check for the response that the command asks for.
     wanted: Option<ResponseCheck>,
@@ -380,6 +380,19 @@ impl defmt::Format for Event {
 /// How long a reply may take, unless the command or the caller says otherwise.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
+/// No deadline is further away, so that the time can wrap around.
+const FUTURE: u32 = u32::MAX >> 1;
+
+/// The time after this number of milliseconds.
+pub(crate) fn after(now_ms: u32, wait_ms: u32) -> u32 {
+    now_ms.wrapping_add(wait_ms.min(FUTURE))
+}
+
+/// Is this time over?
+pub(crate) const fn has_passed(deadline: u32, now_ms: u32) -> bool {
+    now_ms.wrapping_sub(deadline) <= FUTURE
+}
+
 impl<const N: usize> Default for Client<N> {
     fn default() -> Self {
         Self::new()
@@ -428,8 +441,9 @@ impl<const N: usize> Client<N> {
 
     /// When the next command times out.
     #[must_use]
-    pub fn deadline(&self) -> Option<u64> {
-        self.table().waiting().map(|slot| slot.deadline).min()
+    pub fn deadline(&self) -> Option<u32> {
+        let deadlines = self.table().waiting().map(|slot| slot.deadline);
+        deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
     }
 
     /// Begins a packet with commands of one descriptor set.
@@ -448,7 +462,7 @@ impl<const N: usize> Client<N> {
     pub fn send<C: Command>(
         &mut self,
         command: &C,
-        now_ms: u64,
+        now_ms: u32,
     ) -> Result<(Ticket<C>, Packet<'_>), RequestError> {
         let table = self.table_mut();
         table.packet.start(C::SET);
@@ -461,9 +475,9 @@ impl<const N: usize> Client<N> {
     /// Data, late replies and replies to other hosts cause no events; [`Events::others`] returns
     /// them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
-        let table = self.table_mut();
-        table.receive(packet.fields());
-        Events { table, fields: packet.fields() }
+        let (table, fields) = (self.table_mut(), packet.fields());
+        table.receive(fields.clone());
+        Events { table, fields }
     }
 
     /// The events that have not been taken: of earlier packets, and of commands that timed out.
@@ -487,7 +501,7 @@ impl<const N: usize> Client<N> {
     /// Noise that looks like the start of a packet holds back what follows. Before a command times
     /// out, this returns the packets after such noise; handle them like any other. An incomplete
     /// packet is kept.
-    pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
+    pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
         self.table_mut().poll(parser, now_ms)
     }
 
@@ -544,7 +558,7 @@ impl Slots {
     fn add<C: Command>(
         &mut self,
         command: &C,
-        sent_ms: Option<u64>,
+        sent_ms: Option<u32>,
     ) -> Result<Ticket<C>, RequestError> {
         let (silent, wanted) = (!command.expects_reply(), command.response_check());
         let encode = |writer: &mut Writer<'_>| command.encode_to(writer);
@@ -559,7 +573,7 @@ impl Slots {
         silent: bool,
         wanted: Option<ResponseCheck>,
         encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
-        sent_ms: Option<u64>,
+        sent_ms: Option<u32>,
     ) -> Result<u32, RequestError> {
         // What is added while one is sent now is of a request that was dropped.
         let free = self
@@ -575,7 +589,7 @@ impl Slots {
         if let (Some(slot), false) = (free, silent) {
             (slot.kind, slot.wanted) = (Some(kind), wanted);
             let timeout_ms = self.patience.wrapping_add(DEFAULT_TIMEOUT_MS);
-            slot.deadline = timeout_ms.max(kind.timeout_ms).into();
+            slot.deadline = timeout_ms.max(kind.timeout_ms);
             let event = &mut slot.event;
             (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
             event.response = None;
@@ -590,16 +604,15 @@ impl Slots {
     /// Looks for answers, and keeps which fields are part of one.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
-        let (mut at, mut next) = (0, fields.next());
-        while let Some(Ok(field)) = next {
-            next = fields.next();
-            let behind = next.as_ref().and_then(|field| field.as_ref().ok());
-            if let Some(whole) = self.answers(&field, behind) {
+        let mut at = 0;
+        while let Some(field) = fields.sound() {
+            let mut rest = fields.clone();
+            if let Some(whole) = self.answers(&field, rest.sound().as_ref()) {
                 self.take_field(at);
                 if whole {
                     at = at.wrapping_add(1);
                     self.take_field(at);
-                    next = fields.next();
+                    fields = rest;
                 }
             }
             at = at.wrapping_add(1);
@@ -626,8 +639,10 @@ impl Slots {
         };
         let (mut best, mut found) = (0, None);
         for slot in &mut self.slots {
-            let Some(kind) = slot.kind else { continue };
-            if !slot.is(State::Waiting) || (kind.set, kind.descriptor) != (field.set, command) {
+            let Some(kind) = slot.kind.filter(|_| slot.state.get() == State::Waiting) else {
+                continue;
+            };
+            if (kind.set, kind.descriptor) != (field.set, command) {
                 continue;
             }
             // Not `contains`, which is 180 bytes of code on a microcontroller.
@@ -659,7 +674,8 @@ impl Slots {
         if let (true, Some(field)) = (has_response, behind) {
             slot.event.keep(field);
         }
-        slot.happens(&mut self.happened);
+        slot.happens(self.happened);
+        self.happened = self.happened.wrapping_add(1);
         Some(has_response)
     }
 
@@ -670,31 +686,32 @@ impl Slots {
         Some(&slot.event)
     }
 
-    fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
-        let late = self.waiting().any(|slot| slot.deadline <= now_ms);
+    fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
+        let late = self.waiting().any(|slot| has_passed(slot.deadline, now_ms));
         let found = parser.held_back(late);
         if late && found.is_none() {
-            let mut happened = self.happened;
             for slot in &mut self.slots {
-                if slot.is(State::Waiting) && slot.deadline <= now_ms {
-                    // All at once: in the order of the commands.
-                    happened = self.happened;
+                if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
                     slot.event.outcome = Outcome::TimedOut;
-                    slot.happens(&mut happened);
+                    slot.happens(self.happened); // all at once: in the order of the commands
                 }
             }
-            self.happened = happened;
+            self.happened = self.happened.wrapping_add(1);
         }
         found
     }
 
     /// The event that happened first, of those that have not been taken; it is taken.
     fn first(&self) -> Option<&Event> {
-        let age = |slot: &&Slot| {
-            let older = self.happened.wrapping_sub(slot.order);
-            (older, self.next.wrapping_sub(slot.event.id))
-        };
-        let slot = self.slots.iter().filter(|slot| slot.is(State::Done)).max_by_key(age)?;
+        let (mut oldest, mut found) = (0, None);
+        for slot in &self.slots {
+            let since = self.happened.wrapping_sub(slot.order);
+            let age = u64::from(since) << 32 | u64::from(self.next.wrapping_sub(slot.event.id));
+            if slot.is(State::Done) && age > oldest {
+                (oldest, found) = (age, Some(slot));
+            }
+        }
+        let slot = found?;
         slot.state.set(State::Free);
         Some(&slot.event)
     }
@@ -702,16 +719,15 @@ impl Slots {
 
 impl Slot {
     /// The command waits for its answer from now on.
-    fn sent(&mut self, now_ms: u64) {
+    fn sent(&mut self, now_ms: u32) {
         self.state.set(State::Waiting);
-        self.deadline = now_ms.saturating_add(self.deadline);
+        self.deadline = after(now_ms, self.deadline);
     }
 
     /// The command is answered, or given up.
-    fn happens(&mut self, happened: &mut u32) {
+    fn happens(&mut self, order: u32) {
         self.state.set(State::Done);
-        self.order = *happened;
-        *happened = happened.wrapping_add(1);
+        self.order = order;
     }
 }
 
@@ -738,7 +754,7 @@ impl<'c> Request<'c> {
 
     /// The packet to send. From now on its commands are pending.
     #[must_use = "the packet is to be sent"]
-    pub fn send(self, now_ms: u64) -> Packet<'c> {
+    pub fn send(self, now_ms: u32) -> Packet<'c> {
         for slot in &mut self.table.slots {
             if slot.is(State::Added) {
                 slot.sent(now_ms);

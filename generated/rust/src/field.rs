@@ -1,7 +1,7 @@
 //! The traits of fields, commands and responses.
 
 use crate::codec::{Reader, Wire, Writer};
-use crate::error::{DecodeError, DecodeErrorKind, EncodeError};
+use crate::error::{DecodeError, EncodeError};
 use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
@@ -28,7 +28,7 @@ pub trait Field: Wire {
     #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(data);
-        Self::decode_from(&mut reader).map_err(|kind| reader.error(kind, Self::NAME))
+        Self::decode_from(&mut reader).map_err(|_| reader.error(Self::NAME))
     }
 
     /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
@@ -37,7 +37,7 @@ pub trait Field: Wire {
         let mut reader = Reader::new(data);
         match Self::decode_from(&mut reader) {
             Ok(value) => Ok((value, reader.remaining())),
-            Err(kind) => Err(reader.error(kind, Self::NAME)),
+            Err(_) => Err(reader.error(Self::NAME)),
         }
     }
 
@@ -118,14 +118,18 @@ impl Response for () {
 impl<T: Field> Response for T {
     const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
 
+    #[inline]
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
-        field.get().filter(|found| !is_other_layout(found))
+        if !field.is::<T>() {
+            return None;
+        }
+        let mut reader = Reader::new(field.data);
+        match T::decode_from(&mut reader) {
+            Ok(value) => Some(Ok(value)),
+            Err(_) if reader.is_other_layout() => None,
+            Err(_) => Some(Err(reader.error(T::NAME))),
+        }
     }
-}
-
-/// Constants distinguish layouts of one descriptor.
-fn is_other_layout<T>(decoded: &Result<T, DecodeError>) -> bool {
-    matches!(decoded, Err(error) if error.kind == DecodeErrorKind::Constant)
 }
 
 /// The role of a field.
@@ -184,9 +188,13 @@ impl RawField<'_> {
     #[must_use]
     pub fn has_layout_of<T: Field>(&self) -> bool {
         T::SIZES.contains(&self.data.len())
-            && T::CONSTANTS.iter().all(|(offset, bytes)| {
-                self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
-            })
+            && (T::CONSTANTS.is_empty() || self.has_constants(T::CONSTANTS))
+    }
+
+    fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
+        constants.iter().all(|(offset, bytes)| {
+            self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
+        })
     }
 
     /// Decodes it, if it is a field of this type.

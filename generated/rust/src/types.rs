@@ -413,6 +413,8 @@ record! {
         /// Data descriptor set of the watched value.
         pub descriptor_set: u8,
         /// Field descriptor of the watched value.
+        ///
+        /// Refers to fields of [`descriptor_set`](EventTriggerThreshold::descriptor_set).
         pub field_descriptor: u8,
         /// Number of the value in its field, counted from 1; each element of a vector counts.
         ///
@@ -530,6 +532,8 @@ record! {
         /// packet is sent immediately and the count restarts.
         pub decimation: u16,
         /// Field descriptors, in order.
+        ///
+        /// Refers to fields of [`descriptor_set`](EventActionMessage::descriptor_set).
         pub descriptors: crate::List<u8, 249>,
     }
     wire 253 {

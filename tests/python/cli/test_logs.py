@@ -19,7 +19,7 @@ import pytest
 from mip_protocol import Packet, PacketBuilder, Parser, filter_data, gnss_1, registry, sensor, shared
 from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
 
-NOISE = b"$GPGGA,123519,4807.038,N*47\r\n"
+NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
 
 
 @pytest.fixture

@@ -231,6 +231,26 @@ def test_a_port_that_closes(tmp_path: Path) -> None:
     assert (tmp_path / "log").read_bytes() == packet * 3
 
 
+@pytest.mark.parametrize("name", ["dump", "monitor"])
+def test_what_came_before_a_port_was_closed_is_shown(name: str) -> None:
+    """With the packet that only the end of the bytes completes: a longer one seemed to have begun."""
+    packet = bytes(base.Ping().packet())
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = f"127.0.0.1:{server.getsockname()[1]}"
+
+        def serve() -> None:
+            client, _ = server.accept()
+            client.sendall(packet + b"\x75\x65\x01\x40" + packet)
+            client.close()
+
+        thread = Thread(target=serve)
+        thread.start()
+        code, out, error = mip(name, where)
+        thread.join(PATIENCE)
+    assert (code, error) == (1, f"mip {name}: {where} was closed\n")
+    assert out.count("ping") == 2 if name == "dump" else "2 packets, 4 bytes skipped" in out
+
+
 def test_a_recording_into_a_pipe(place: str) -> None:
     with (
         subprocess.Popen(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
 import pickle
 import queue
@@ -16,7 +17,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import Kind, Peer, acknowledge, packet, until
-from mip_protocol import Parser, aiding, base, conversation, mip_3dm, sensor, types
+from mip_protocol import Parser, aiding, aio, base, conversation, mip_3dm, sensor, types
 from support import ROOT
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
@@ -398,6 +399,113 @@ def test_what_was_known_of_a_device_is_asked_again_when_it_is_back(kind: Kind) -
             device.request(AIDING)
         thread.join()
     assert heard == [(0x13, 0x1F), (0x13, AIDING.DESCRIPTOR), (0, 0)] * 2
+
+
+def inside(device: Any) -> Any:
+    """The device itself, of either kind."""
+    return getattr(device, "device", device)
+
+
+def test_two_that_open_a_port_again_at_once(kind: Kind) -> None:
+    """One of them does it, the other waits for it."""
+    with socket.create_server(("localhost", 0)) as server:
+        address = server.getsockname()
+        device = kind.open(f"socket://localhost:{address[1]}")
+        server.accept()[0].close()
+    with device:
+        until(lambda: device.closed)
+        ends: list[object] = []
+        threads = [threading.Thread(target=lambda: ends.append(device.reopen(20))) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        until(lambda: inside(device)._opening.locked())
+        time.sleep(0.05)  # the other one waits by then; if not, the test sees nothing
+        with socket.create_server(address) as server:
+            for thread in threads:
+                thread.join(20)
+            assert ends == [None, None] and not device.closed
+            connection, _ = server.accept()
+            with connection:
+                device.send(PING)
+                assert connection.recv(100) == bytes(PING.packet())
+                server.settimeout(0.1)
+                with pytest.raises(TimeoutError):
+                    server.accept()
+
+
+def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind) -> None:
+    with socket.create_server(("localhost", 0)) as server:
+        device = kind.open(f"socket://localhost:{server.getsockname()[1]}")
+        server.accept()[0].close()
+    with device:
+        until(lambda: device.closed)
+        ends: list[BaseException] = []
+
+        def again() -> None:
+            try:
+                device.reopen(timeout=60)
+            except mip.PortClosed as error:
+                ends.append(error)
+
+        thread = threading.Thread(target=again)
+        thread.start()
+        until(lambda: inside(device)._opening.locked())
+        device.close()
+        thread.join(20)
+        assert [str(e) for e in ends] == ["closed: the device has been closed while it was opened again"]
+        assert device.closed and list(device) == []
+
+
+def test_a_device_that_is_closed_while_its_port_is_opened(kind: Kind) -> None:
+    """The port that was opened is closed, too."""
+    with (
+        socket.create_server(("localhost", 0)) as server,
+        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
+    ):
+        server.accept()[0].close()
+        until(lambda: device.closed)
+        own = inside(device)
+        open_again = own._again
+
+        def opened() -> Any:
+            port = open_again()
+            own.close()
+            return port
+
+        async def opened_later() -> Any:
+            port = await open_again()
+            await own.close()
+            return port
+
+        own._again = opened_later if kind.waits else opened
+        with pytest.raises(mip.PortClosed, match="while it was opened again"):
+            device.reopen(20)
+        assert device.closed and list(device) == []
+        with pytest.raises(mip.PortClosed):
+            device.send(PING)
+        connection, _ = server.accept()
+        with connection:
+            connection.settimeout(20)
+            assert connection.recv(1) == b""
+
+
+def test_a_stream_that_takes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither writing nor closing waits for ever."""
+    monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
+    monkeypatch.setattr(aio, "CLOSE_TIMEOUT", 0.2)
+
+    async def talk() -> None:
+        near, far = socket.socketpair()
+        near.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 4096)
+        device = aio.Device(await asyncio.open_connection(sock=near))
+        with pytest.raises(mip.PortClosed, match="the port cannot write: the other end takes nothing"):
+            for _ in range(10**6):
+                await device.send(PING)
+        await device.close()
+        assert device.closed
+        far.close()
+
+    asyncio.run(asyncio.wait_for(talk(), 20))
 
 
 def test_nothing_is_kept_of_commands_that_are_answered() -> None:

@@ -13,7 +13,7 @@ from mip_protocol import mip_3dm, registry, types
 from mip_protocol.field import Command
 from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.endpoints import tcp_at
-from support import ROOT, model
+from support import ROOT, model, mypy
 from test_ports import DEVICE, serving
 
 PACKAGE = ROOT / "generated/python"
@@ -66,11 +66,7 @@ async def asynchronous(device: aio.Device) -> None:
 def checked(source: str, folder: Path) -> str:
     path = folder / "checked.py"
     path.write_text(source, encoding="utf-8")
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "--python-version", "3.10", str(path)],
-        capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(PACKAGE)},
-    )  # fmt: skip
-    return done.stdout
+    return mypy(PACKAGE, "--python-version", "3.10", path).stdout
 
 
 def test_the_answer_of_a_command_is_known_to_type_checkers(tmp_path: Path) -> None:

@@ -33,12 +33,12 @@ fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
 }
 
 /// The events of commands that took too long; there is no parser that holds anything back.
-fn expire<const N: usize>(client: &mut Client<N>, now: u64) -> Vec<Event> {
+fn expire<const N: usize>(client: &mut Client<N>, now: u32) -> Vec<Event> {
     assert!(client.poll(&mut Parser::new(), now).is_none());
     client.events().cloned().collect()
 }
 
-fn sent<C: Command>(client: &mut Client, command: &C, now: u64) -> Ticket<C> {
+fn sent<C: Command>(client: &mut Client, command: &C, now: u32) -> Ticket<C> {
     let (ticket, packet) = client.send(command, now).unwrap();
     assert_eq!(packet.find::<C>().unwrap().unwrap().to_vec(), command.to_vec());
     ticket
@@ -159,7 +159,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     let (quiet, _) = client.send(&tools::Formats::new(true, 0, []), 0).unwrap();
     assert!(quiet.is_silent());
     assert_eq!((client.pending(), client.deadline()), (0, None));
-    assert_eq!(expire(&mut client, u64::MAX).len(), 0);
+    assert_eq!(expire(&mut client, u32::MAX / 2).len(), 0);
     // Who waits for the result of such a command has it at once.
     assert_eq!(client.take(&apply), Some(Answer::Silent));
     assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(None)));
@@ -258,8 +258,36 @@ fn events_that_are_not_taken_stay() {
     assert_eq!(client.events().count(), 0);
 }
 
-fn sent_in<const N: usize>(client: &mut Client<N>, now: u64) -> Ticket<tools::Ping> {
+fn sent_in<const N: usize>(client: &mut Client<N>, now: u32) -> Ticket<tools::Ping> {
     client.send(&tools::Ping, now).unwrap().0
+}
+
+#[test]
+fn the_time_may_wrap_around() {
+    let mut client: Client = Client::new();
+    let early = sent_in(&mut client, u32::MAX - 1500);
+    let late = sent_in(&mut client, u32::MAX - 100);
+    assert_eq!(client.deadline(), Some(u32::MAX - 500));
+    assert_eq!(expire(&mut client, u32::MAX - 501).len(), 0);
+    let events = expire(&mut client, u32::MAX);
+    assert_eq!((events.len(), events[0].id), (1, early.id()));
+    assert_eq!(client.deadline(), Some(899));
+    assert_eq!((expire(&mut client, 0).len(), expire(&mut client, 898).len()), (0, 0));
+    let events = expire(&mut client, 899);
+    assert_eq!((events.len(), events[0].id), (1, late.id()));
+    // The earlier deadline counts, in whatever slot it is.
+    let (soon, _) = (sent_in(&mut client, u32::MAX - 100), client.cancel(&early));
+    let before = sent_in(&mut client, u32::MAX - 1200);
+    assert_eq!(client.deadline(), Some(u32::MAX - 200));
+    client.cancel(&before);
+    client.cancel(&soon);
+    assert_eq!(client.deadline(), None);
+    // Half of the range is the longest time.
+    let mut patient: Client = Client::with_timeout(u32::MAX);
+    sent_in(&mut patient, 7);
+    assert_eq!(patient.deadline(), Some(7 + u32::MAX / 2));
+    assert_eq!(expire(&mut patient, u32::MAX / 2).len(), 0);
+    assert_eq!(expire(&mut patient, u32::MAX / 2 + 7).len(), 1);
 }
 
 #[test]

@@ -17,7 +17,9 @@ struct Played {
     sent: Vec<Vec<u8>>,
     replies: VecDeque<Vec<Vec<u8>>>,
     coming: VecDeque<Vec<u8>>,
-    now: u64,
+    now: u32,
+    /// The program is stopped for so long before the next read.
+    stopped: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +29,7 @@ impl Port for Played {
     type Error = Gone;
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Gone> {
+        self.now = self.now.wrapping_add(std::mem::take(&mut self.stopped));
         let Some(chunk) = self.coming.front_mut() else {
             self.now += 10;
             return Ok(0);
@@ -50,7 +53,7 @@ impl Port for Played {
         Ok(())
     }
 
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         self.now
     }
 }
@@ -238,6 +241,32 @@ fn the_time_that_data_may_take() {
     assert_eq!(device.port().now, 510);
     device.port_mut().coming.push_back(vec![]);
     assert_eq!(device.next_packet(500).unwrap_err(), DeviceError::Port(Gone));
+}
+
+#[test]
+fn a_program_that_was_stopped_finds_what_came_in_time() {
+    let stopped = |replies: Vec<Vec<u8>>| {
+        let mut device = device([replies]);
+        device.port_mut().stopped = 5000;
+        device.port_mut().now = u32::MAX - 100;
+        device
+    };
+    let before: Vec<u8> = (0..50).flat_map(|n| data(n as f32)).collect();
+    let mut device = stopped(vec![before.clone(), answered(5, &BIAS)]);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    for n in 0..50 {
+        assert_eq!(next(&mut device), Some(data(n as f32)));
+    }
+    device.port_mut().stopped = 5000;
+    device.port_mut().coming.extend([vec![0; 2000], data(1.0)]);
+    assert_eq!(next(&mut device), Some(data(1.0)));
+    // If nothing is missing any more, it is over; and at last if there is no end.
+    let late = Err(DeviceError::Command(CommandError::TimedOut));
+    assert_eq!(stopped(vec![before]).request(&tools::Bias::read()), late);
+    let mut device = stopped(vec![vec![0]; 100]);
+    assert_eq!(device.request(&tools::Bias::read()), late);
+    assert_eq!(device.port().coming.len(), 100 - 64);
+    assert_eq!(next(&mut device), None);
 }
 
 /// A stream whose reads find nothing in one of the ways that there are.

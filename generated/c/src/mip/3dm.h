@@ -234,7 +234,7 @@ MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_sensor_range_entry {
-    /** Value for the sensor range command. */
+    /** Value for mip_3dm_sensor_range. */
     uint8_t setting;
     /** Largest measurable value. */
     float range;
@@ -281,7 +281,8 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls the stored message format; if none is stored, the device refuses the command.
+ * An empty list polls what mip_3dm_imu_message_format stores; if nothing is stored, the device
+ * refuses the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -294,7 +295,7 @@ struct mip_3dm_poll_imu_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. */
+    /** Fields to send. Refers to fields of Sensor data. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -354,8 +355,8 @@ struct mip_3dm_poll_gnss_data {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
     uint8_t num_descriptors;
     /**
-     * Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
-     * not say how a poll uses it.
+     * Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
+     * of the reserved number and does not say how a poll uses it.
      */
     struct mip_3dm_poll_entry descriptors[83];
 };
@@ -401,7 +402,8 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
  * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls the stored message format; if none is stored, the device refuses the command.
+ * An empty list polls what mip_3dm_filter_message_format stores; if nothing is stored, the device
+ * refuses the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -414,7 +416,7 @@ struct mip_3dm_poll_filter_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. */
+    /** Fields to send. Refers to fields of Filter data. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -513,7 +515,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
- * Gets the rate that is divided by the decimations of the IMU message format.
+ * Gets the rate that is divided by the decimations of mip_3dm_imu_message_format.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -611,7 +613,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
- * Gets the rate that is divided by the decimations of the GNSS message format.
+ * Gets the rate that is divided by the decimations of mip_3dm_gnss_message_format.
  *
  * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
@@ -716,8 +718,8 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
- * desired rate.
+ * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
+ * rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
  * and changes nothing.
@@ -734,7 +736,7 @@ struct mip_3dm_imu_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of Sensor data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -810,7 +812,7 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
 struct mip_3dm_imu_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of Sensor data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -844,8 +846,8 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
- * the desired rate.
+ * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
+ * rate.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -862,7 +864,7 @@ struct mip_3dm_gnss_message_format {
      * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
      */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of GNSS data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -939,7 +941,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
 struct mip_3dm_gnss_message_format_response {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of GNSS data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -974,8 +976,8 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * mip_3dm_filter_message_format_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The decimation is the base rate, as the get estimation filter data base rate command reports it,
- * divided by the desired rate.
+ * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
+ * desired rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
  * and changes nothing.
@@ -992,7 +994,7 @@ struct mip_3dm_filter_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of Filter data. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -1068,7 +1070,7 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
 struct mip_3dm_filter_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of Filter data. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -1097,7 +1099,7 @@ static inline mip_error mip_3dm_filter_message_format_response_encode(
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
- * Gets the rate that is divided by the decimations of the estimation filter message format.
+ * Gets the rate that is divided by the decimations of mip_3dm_filter_message_format.
  *
  * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
  * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1324,7 +1326,8 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
- * An empty list polls the stored message format; if none is stored, the device refuses the command.
+ * An empty list polls what mip_3dm_message_format stores; if nothing is stored, the device refuses
+ * the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -1335,13 +1338,13 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
 struct mip_3dm_poll_data {
-    /** Data descriptor set. Range: 128 to 254. */
+    /** Data descriptor set. Range: 0x80 to 0xFE. */
     uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Field descriptors. */
+    /** Field descriptors. Refers to fields of descriptor_set. */
     uint8_t descriptors[250];
 };
 
@@ -1391,7 +1394,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
 struct mip_3dm_get_base_rate {
-    /** Data descriptor set. Range: 128 to 254. */
+    /** Data descriptor set. Range: 0x80 to 0xFE. */
     uint8_t descriptor_set;
 };
 
@@ -1522,8 +1525,8 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The decimation is the base rate, as the get data base rate command reports it, divided by the
- * desired rate.
+ * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the desired
+ * rate.
  *
  * List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
  * others.
@@ -1542,7 +1545,7 @@ struct mip_3dm_message_format {
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Required for write. */
+    /** Fields and decimations. Refers to fields of descriptor_set. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -1624,7 +1627,7 @@ struct mip_3dm_message_format_response {
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. */
+    /** Fields and decimations. Refers to fields of descriptor_set. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -2500,7 +2503,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The pins are configured separately, by the GPIO configuration command.
+ * The pins are configured separately, by mip_3dm_gpio_config.
  *
  * The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
  *
@@ -3115,9 +3118,9 @@ union mip_3dm_event_trigger_config_parameters {
  * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The trigger is disabled afterwards; the event control command enables it.
+ * The trigger is disabled afterwards; mip_3dm_event_control enables it.
  *
- * A GPIO trigger needs its pin configured by the GPIO configuration command.
+ * A GPIO trigger needs its pin configured by mip_3dm_gpio_config.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -3534,8 +3537,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
- * back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_quaternion and mip_3dm_sensor_to_vehicle_dcm set the same
+ * transformation; the value read back may be another form of it.
  *
  * Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its
  * own z, y and x axes, in this order.
@@ -3710,8 +3713,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
  * 3DM-CV7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
- * back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_dcm set the same transformation;
+ * the value read back may be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
@@ -3877,8 +3880,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the value read
- * back may be another form of it.
+ * mip_3dm_sensor_to_vehicle_euler and mip_3dm_sensor_to_vehicle_quaternion set the same
+ * transformation; the value read back may be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
@@ -4368,7 +4371,7 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  *
  * The reply comes after the averaging time.
  *
- * The bias is not saved; to save it, use the gyroscope bias configuration command with save.
+ * The bias is not saved; to save it, send mip_3dm_gyro_bias with save.
  *
  * The 3DM-GX5-15 also initializes its orientation from the samples.
  *
@@ -5277,7 +5280,7 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  *
  * Reading is guaranteed to work only with the gpio feature.
  *
- * The GPIO configuration command determines the state at power-up.
+ * mip_3dm_gpio_config determines the state at power-up.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -5590,9 +5593,9 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor
-     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-     * 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+     * 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+     * rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. Required for write. */
@@ -5689,7 +5692,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
 struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17.
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
@@ -5956,8 +5959,8 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The get calibrated sensor ranges command lists the settings. The device may refuse other
- * settings, or measure incorrectly with them.
+ * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may refuse other settings, or
+ * measure incorrectly with them.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -6242,7 +6245,7 @@ struct mip_3dm_low_pass_filter {
     uint8_t function;
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor; 0 if the set is 0. */
+    /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. Required for write. */
     mip_bool enable;
@@ -6340,7 +6343,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor; 0 if the set is 0. */
+    /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;

@@ -101,7 +101,7 @@ static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The resume command restores the previous mode.
+ * mip_base_resume restores the previous mode.
  *
  * While idle, the device does not send NMEA sentences either.
  *
@@ -488,7 +488,8 @@ static inline mip_error mip_base_resume_encode(const struct mip_base_resume *val
 /**
  * Get device descriptors (extended): command (0x01,0x07).
  *
- * Gets the supported descriptors that did not fit into the reply of get device descriptors.
+ * Gets the supported descriptors that did not fit into the reply of
+ * mip_base_get_device_descriptors.
  *
  * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
  * and 3DM-GX5-35.
@@ -574,12 +575,12 @@ static inline mip_error mip_base_get_extended_descriptors_response_encode(
  * Also called `continuous_bit`. Answered by mip_base_continuous_built_in_test_response. Supported
  * by 3DM-CV7-GNSS/INS.
  *
- * It is less thorough than the built-in test command.
+ * It is less thorough than mip_base_built_in_test.
  *
  * Each flag stays set until this command reports it; the streamed field has its own copy of the
  * flags.
  *
- * The self-test flags change only when the built-in test command runs.
+ * The self-test flags change only when mip_base_built_in_test runs.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */

@@ -27,7 +27,7 @@ extern "C" {
 struct mip_gnss_receiver_info_entry {
     /** Receiver, counted from 1. Range: at least 1. */
     uint8_t receiver_id;
-    /** Descriptor set of the data of this receiver. Range: 128 to 254. */
+    /** Descriptor set of the data of this receiver. Range: 0x80 to 0xFE. */
     uint8_t mip_data_descriptor_set;
     /** Module name or model and firmware version, separated by a comma. */
     char description[33];

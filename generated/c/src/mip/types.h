@@ -725,7 +725,7 @@ union mip_event_trigger_threshold_thresholds {
 struct mip_event_trigger_threshold {
     /** Data descriptor set of the watched value. */
     uint8_t descriptor_set;
-    /** Field descriptor of the watched value. */
+    /** Field descriptor of the watched value. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /**
      * Number of the value in its field, counted from 1; each element of a vector counts. Range: at
@@ -786,7 +786,7 @@ struct mip_event_action_message {
     uint16_t decimation;
     /** Number of fields in the packet. The number of elements of descriptors. Range: 0 to 12. */
     uint8_t num_fields;
-    /** Field descriptors, in order. */
+    /** Field descriptors, in order. Refers to fields of descriptor_set. */
     uint8_t descriptors[249];
 };
 

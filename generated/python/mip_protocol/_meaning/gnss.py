@@ -15,7 +15,7 @@ TYPES: dict[str, Info] = {
         "gnss.receiver_info_entry", type=gnss.ReceiverInfoEntry, description="One GNSS receiver.", sources=("3dm-cv7-gnss-ins: Info",),
         parameters=(
             Parameter("receiver_id", "receiver_id", "scalar", description="Receiver, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),
-            Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", description="Descriptor set of the data of this receiver.", facts=("Range: 128 to 254.",), scalar="u8", minimum=128, maximum=254),
+            Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", description="Descriptor set of the data of this receiver.", facts=("Range: 0x80 to 0xFE.",), scalar="u8", minimum=128, maximum=254),
             Parameter("description", "description", "text", description="Module name or model and firmware version, separated by a comma.", scalar="char", length=32),
         ),
     ),

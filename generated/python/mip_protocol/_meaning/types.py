@@ -170,7 +170,7 @@ TYPES: dict[str, Info] = {
         "event_trigger_threshold", type=types.EventTriggerThreshold, description="A trigger on one value of a data field. The value is converted to double before it is compared.", sources=("3dm-cv7-gnss-ins: ThresholdParams",),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set of the watched value.", scalar="u8"),
-            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor of the watched value.", scalar="u8"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor of the watched value.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8"),
             Parameter("parameter_id", "parameter_id", "scalar", description="Number of the value in its field, counted from 1; each element of a vector counts.", facts=("Range: at least 1.",), scalar="u8", minimum=1),
             Parameter("type", "type", "scalar", description="Kind of comparison.", scalar="u8", type=types.EventThresholdType),
             Parameter("thresholds", "thresholds", "switch", description="What the value is compared with.", facts=("Selected by `type`.",), tag="type", cases={1: Parameter("window", "window", "struct", facts=("If `type` is `types.EventThresholdType.WINDOW`.",), type=types.EventThresholdWindow), 2: Parameter("interval", "interval", "struct", facts=("If `type` is `types.EventThresholdType.INTERVAL`.",), type=types.EventThresholdInterval), }),
@@ -196,7 +196,7 @@ TYPES: dict[str, Info] = {
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set of the packet.", scalar="u8"),
             Parameter("decimation", "decimation", "scalar", description="0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by this value. At each activation, a packet is sent immediately and the count restarts.", scalar="u16"),
             Parameter("num_fields", "num_fields", "counter", description="Number of fields in the packet.", facts=("The number of elements of `descriptors`.", "Range: 0 to 12."), scalar="u8", counts="descriptors", maximum=12, minimum=0),
-            Parameter("descriptors", "descriptors", "array", description="Field descriptors, in order.", scalar="u8", length="num_fields"),
+            Parameter("descriptors", "descriptors", "array", description="Field descriptors, in order.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8", length="num_fields"),
         ),
     ),
     "GnssConstellation": EnumInfo(

@@ -8,20 +8,15 @@ from datetime import datetime, timedelta
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from .. import registry
-from .._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
+from .. import registry, timestamps
+from .._clocks import CLOCKS
 from ..errors import DecodeError
 from ..field import Field
 from ..packet import Packet
 from ..parameter import Flag
 from ..reflection import info
+from ..timestamps import MOST, REACH, SECOND, from_date
 
-SECOND = 1_000_000_000
-#: How far before a packet without a time the last one of its set may be, in bytes.
-REACH = 1 << 20
-
-_UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
-_MOST = 4e18  # nanoseconds of which two fit into 64 bits
 _UNIX = datetime(1970, 1, 1)
 
 
@@ -73,7 +68,7 @@ def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]
     found: dict[str, tuple[int, _Source, int, int]] = {}
     at = 4
     for length, descriptor in zip(headers[::2], headers[1::2]):
-        source = _source(number, descriptor) if number >= 0x80 else None
+        source = _source(number, descriptor)
         if source is not None and found.get(source.clock, (0x100,))[0] > descriptor:
             if length >= source.size + 2:
                 found[source.clock] = (descriptor, source, at + 2, at + length)
@@ -83,16 +78,14 @@ def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]
 
 @cache
 def _source(set: int, descriptor: int) -> _Source | None:
-    kinds = registry.types(set, descriptor)
-    clock = TIMESTAMPS.get((kinds[0].SET, descriptor)) if len(kinds) == 1 else None
+    clock = timestamps.clock_of(set, descriptor)
     if clock is None:
         return None
-    parameters = [
-        p for p in info(kinds[0]).parameters if len(p.units) == 1 and p.units[0] in _UNITS
-    ]
-    flags = dict.fromkeys(flag for p in parameters for flag in p.flags)
-    scales = tuple((p.attribute, _UNITS[p.units[0]]) for p in parameters)
-    return _Source(clock, kinds[0], scales, tuple(flags), _size(kinds[0]))
+    (kind,) = registry.types(set, descriptor)
+    parts = [(p, n) for p in info(kind).parameters if (n := timestamps.scale(p)) is not None]
+    flags = dict.fromkeys(flag for p, _ in parts for flag in p.flags)
+    scales = tuple((p.attribute, n) for p, n in parts)
+    return _Source(clock, kind, scales, tuple(flags), _size(kind))
 
 
 def _size(kind: type[Field]) -> int:
@@ -117,7 +110,7 @@ def _time(source: _Source, data: bytes) -> int | None:
     total = 0
     for attribute, scale in source.scales:
         number = getattr(value, attribute)
-        if not -_MOST < number * scale < _MOST:  # NaN is not, either
+        if not -MOST < number * scale < MOST:  # NaN is not, either
             return None
         total += round(number * scale)
     return utc(source.clock, total) if CLOCKS[source.clock] else total
@@ -125,22 +118,8 @@ def _time(source: _Source, data: bytes) -> int | None:
 
 def utc(clock: str, time: int) -> int:
     """A time of a clock with a date as UTC; during a leap second the next one begins."""
-    begins, shifts = _leaps(clock)
+    begins, shifts = timestamps.leaps(clock)
     return time + shifts[bisect_right(begins, time)]
-
-
-@cache
-def _leaps(clock: str) -> tuple[list[int], list[int]]:
-    """When leap seconds came, by the clock, and what makes its times UTC between them."""
-    epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
-    days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
-    begins = [day - epoch + ahead * SECOND for day, ahead in days]
-    return begins, [epoch, *(epoch - ahead * SECOND for _, ahead in days)]
-
-
-def from_date(time: datetime) -> int:
-    """Nanoseconds since 1970 of a time in UTC."""
-    return (time - _UNIX) // timedelta(microseconds=1) * 1000
 
 
 class Timeline:

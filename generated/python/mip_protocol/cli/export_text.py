@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import IO, Any
 
 from ..errors import Failure
 from ..field import Field
-from . import clocks, outputs, values
+from . import clocks, inputs, outputs, values
 from .selection import Selection
 from .table import Column, Sample, cell, columns, heading, samples, survey
 
@@ -32,12 +32,34 @@ class Job:
     ) -> None:
         self._name, self._form, self._options, self._aligned = name, form, options, aligned
         self._selection = selection
-        self.types, clock = survey(name, selection)
+        self.types, clock = self._survey()
         self._clock = None if options.time == "none" else clock
         self._time = time_of(options.time, self._clock)
 
+    def _survey(self) -> tuple[list[type[Field]], str | None]:
+        log = inputs.as_columns(self._name)
+        if log is not None:
+            from . import csv_columns
+
+            with log:
+                found = csv_columns.survey(log, self._selection)
+            if found is not None:
+                return found
+        return survey(self._name, self._selection)
+
     def write(self, path: str, types: Sequence[type[Field]]) -> None:
-        """Writes fields of these types into a file."""
+        """Writes fields of these types into a file: by columns if that is faster and NumPy is there."""
+        log = inputs.as_columns(self._name)
+        if log is not None and self._form == "csv" and self._aligned is None:
+            from . import csv_columns
+
+            lines = csv_columns.Lines(
+                types, self._selection, self._options, self._clock, self._time
+            )
+            with log, outputs.whole(path) as out:
+                out.write(head(types, self._time is not None))
+                lines.write(out, log, self._name)
+            return
         rows = samples(self._name, types, self._selection, self._clock)
         with outputs.whole(path) as out:
             if self._form == "csv":
@@ -59,8 +81,8 @@ class Job:
         return (kept for p in packets if (kept := [s for s in p if whole(s)]))
 
 
-def time_of(wanted: str | None, clock: str | None) -> Callable[[Sample], str | None] | None:
-    """How the time of a sample is written; None if it is not."""
+def time_of(wanted: str | None, clock: str | None) -> Callable[[int | None], str | None] | None:
+    """How a time is written, in the order of the log; None if it is not."""
     if wanted == "none" or (clock is None and wanted is None):
         return None
     if clock is None:
@@ -69,8 +91,7 @@ def time_of(wanted: str | None, clock: str | None) -> Callable[[Sample], str | N
         raise Failure("the log has no dates; use --time clock, --time start or --time none")
     first: list[int] = []
 
-    def said(sample: Sample) -> str | None:
-        time = sample.time
+    def said(time: int | None) -> str | None:
         if time is None:
             return None
         if wanted in (None, "utc"):
@@ -90,34 +111,39 @@ def write_csv(
     out: IO[bytes],
     types: Sequence[type[Field]],
     packets: Iterator[list[Sample]],
-    time: Callable[[Sample], str | None] | None,
+    time: Callable[[int | None], str | None] | None,
     options: argparse.Namespace,
     aligned: type[Field] | None,
 ) -> None:
     """A row for each packet; more, if a packet has several fields of one type."""
     own = {kind: columns(kind) for kind in types}
-    head = [] if time is None else ["time", "time_own"]
-    for kind, found in own.items():
-        head += [label(kind, c, len(types) == 1) for c in found]
-    out.write(line(head))
-    writers = {kind: _texts(found, options) for kind, found in own.items()}
+    out.write(head(types, time is not None))
+    writers = {kind: texts(found, options) for kind, found in own.items()}
     empty = {kind: [""] * len(found) for kind, found in own.items()}
     last = dict(empty)
     for packet in packets:
         if aligned is None:
-            for row in _rows(packet):
+            for row in rows(sample.value for sample in packet):
                 cells = [
                     text
                     for kind in types
                     for text in (writers[kind](row[kind]) if kind in row else empty[kind])
                 ]
-                out.write(line([*_times(next(iter(row.values())), packet, time), *cells]))
+                out.write(line([*_times(packet, time), *cells]))
             continue
         for sample in sorted(packet, key=lambda s: type(s.value) is aligned):
             last[type(sample.value)] = writers[type(sample.value)](sample.value)
             if type(sample.value) is aligned:
                 cells = [text for kind in types for text in last[kind]]
-                out.write(line([*_times(sample.value, packet, time), *cells]))
+                out.write(line([*_times(packet, time), *cells]))
+
+
+def head(types: Sequence[type[Field]], time: bool) -> bytes:
+    """The first line: what is in the columns."""
+    labels = ["time", "time_own"] if time else []
+    for kind in types:
+        labels += [label(kind, c, len(types) == 1) for c in columns(kind)]
+    return line(labels)
 
 
 def label(kind: type[Field], column: Column, single: bool) -> str:
@@ -126,29 +152,28 @@ def label(kind: type[Field], column: Column, single: bool) -> str:
     return heading(kind, column.name, single) + unit
 
 
-def _rows(packet: list[Sample]) -> Iterator[dict[type[Field], Field]]:
+def rows(fields: Iterable[Field]) -> Iterator[dict[type[Field], Field]]:
     """The fields of a packet; a type that it has already begins another row."""
     row: dict[type[Field], Field] = {}
-    for sample in packet:
-        if type(sample.value) in row:
+    for field in fields:
+        if type(field) in row:
             yield row
             row = {}
-        row[type(sample.value)] = sample.value
+        row[type(field)] = field
     yield row
 
 
-def _times(
-    value: Field, packet: list[Sample], time: Callable[[Sample], str | None] | None
-) -> list[str]:
+def _times(packet: list[Sample], time: Callable[[int | None], str | None] | None) -> list[str]:
     if time is None:
         return []
-    return [time(packet[0]) or "", str(int(packet[0].own))]
+    return [time(packet[0].time) or "", str(int(packet[0].own))]
 
 
-def _texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
+def texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
+    """The cells of a field."""
     mask, named = options.invalid == "mask", options.named
 
-    def texts(field: Any) -> list[str]:
+    def cells(field: Any) -> list[str]:
         return [
             ""
             if mask and c.valid is not None and not c.valid(field)
@@ -156,7 +181,7 @@ def _texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], 
             for c in found
         ]
 
-    return texts
+    return cells
 
 
 def _text(value: Any, column: Column) -> str:
@@ -173,10 +198,11 @@ def _text(value: Any, column: Column) -> str:
 
 def line(cells: list[str]) -> bytes:
     """A line of CSV (RFC 4180, but with a plain line feed)."""
-    return (",".join(map(_quoted, cells)) + "\n").encode()
+    return (",".join(map(quoted, cells)) + "\n").encode()
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
+    """A cell, in quotes if it needs them."""
     if text.isalnum() or not any(c in text for c in ',"\r\n'):
         return text
     return '"' + text.replace('"', '""') + '"'
@@ -188,7 +214,7 @@ def _quoted(text: str) -> str:
 def write_jsonl(
     out: IO[bytes],
     packets: Iterator[list[Sample]],
-    time: Callable[[Sample], str | None] | None,
+    time: Callable[[int | None], str | None] | None,
     options: argparse.Namespace,
 ) -> None:
     """A line for each field."""
@@ -198,7 +224,7 @@ def write_jsonl(
             kind = type(sample.value)
             found: dict[str, Any] = {}
             if time is not None:
-                said = time(sample)
+                said = time(sample.time)
                 found["time"] = said if said is None or said.endswith("Z") else float(said)
                 found["time_own"] = sample.own
             found |= {"packet": sample.packet, "offset": sample.offset, "field": kind.NAME}

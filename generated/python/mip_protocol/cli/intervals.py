@@ -6,7 +6,7 @@ import heapq
 import math
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .clocks import SECOND
 
@@ -14,6 +14,10 @@ from .clocks import SECOND
 GAP = 1.5
 #: How many gaps and jumps are kept, with their places.
 KEPT = 10
+
+
+#: Below so many nanoseconds, different steps are different in seconds, too.
+_EXACT = 2**51
 
 
 class Place(NamedTuple):
@@ -37,6 +41,37 @@ class Intervals:
     _longest: list[Place] = field(default_factory=list)
     _sums: Counter[int] = field(default_factory=Counter)
 
+    def add_all(self, times: Any, offsets: Any) -> None:
+        """The same for arrays of NumPy, in the order of the log: as `add` for each."""
+        import numpy as np
+
+        if self.last is None and len(times):
+            self.add(int(times[0]), int(offsets[0]))
+            times, offsets = times[1:], offsets[1:]
+        if not len(times):
+            return
+        before: Any = np.concatenate((np.array([self.last], np.int64), times[:-1]))
+        if (np.abs(times.astype(np.float64) - before.astype(np.float64)) >= _EXACT).any():
+            for time, offset in zip(times.tolist(), offsets.tolist()):
+                self.add(time, offset)
+            return
+        steps = times - before
+        self.count += len(steps)
+        self.last = int(times[-1])
+        back = np.flatnonzero(steps < 0)
+        self.backwards += len(back)
+        for i in back[: KEPT - len(self.backward)].tolist():
+            self.backward.append(Place(int(steps[i]) / SECOND, int(offsets[i]), int(times[i])))
+        for step, count in zip(*(a.tolist() for a in np.unique(steps, return_counts=True))):
+            if step > 0:
+                place_of = _bin(step)
+                self._bins[place_of] += count
+                self._sums[place_of] += step * count
+        least = max(1, int(np.partition(steps, -KEPT)[-KEPT])) if len(steps) > KEPT else 1
+        equal = np.flatnonzero(steps == least)[-KEPT:]  # of these, the last ones count
+        for i in [*equal.tolist(), *np.flatnonzero(steps > least).tolist()]:
+            self._keep(Place(int(steps[i]) / SECOND, int(offsets[i]), int(times[i])))
+
     def add(self, time: int, offset: int) -> None:
         """One more packet, at a time in ns."""
         self.count += 1
@@ -49,15 +84,18 @@ class Intervals:
                 if len(self.backward) < KEPT:
                     self.backward.append(Place(step / SECOND, offset, time))
             elif step > 0:
-                place_of = round(math.log(step) * 1000)  # 0.1 %
+                place_of = _bin(step)
                 self._bins[place_of] += 1
                 self._sums[place_of] += step
-                place = Place(step / SECOND, offset, time)
-                if len(self._longest) < KEPT:
-                    heapq.heappush(self._longest, place)
-                elif place > self._longest[0]:
-                    heapq.heapreplace(self._longest, place)
+                self._keep(Place(step / SECOND, offset, time))
         self.last = time
+
+    def _keep(self, place: Place) -> None:
+        """Keeps it if it is one of the longest."""
+        if len(self._longest) < KEPT:
+            heapq.heappush(self._longest, place)
+        elif place > self._longest[0]:
+            heapq.heapreplace(self._longest, place)
 
     @property
     def usual(self) -> float | None:
@@ -93,6 +131,11 @@ class Intervals:
         missing = sum(self._sums[place] for place in wide) / SECOND - usual * count
         places = [p for p in self._longest if p.seconds > usual * GAP]
         return count, missing, sorted(places, key=lambda p: p.offset)
+
+
+def _bin(step: int) -> int:
+    """Steps that differ by less than 0.1 % are counted together."""
+    return round(math.log(step) * 1000)
 
 
 __all__ = ["GAP", "Intervals", "Place"]

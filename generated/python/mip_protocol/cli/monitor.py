@@ -85,6 +85,9 @@ def run(options: argparse.Namespace) -> int:
             screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
         except KeyboardInterrupt:  # the usual way to end it
             screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
+        except ports.Lost:
+            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
+            raise
         finally:
             screen.close()
     return 0

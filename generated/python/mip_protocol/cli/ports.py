@@ -39,6 +39,10 @@ def _baud(text: str) -> int | None:
     return int(text)
 
 
+class Lost(Failure):
+    """A port that has closed by itself."""
+
+
 @contextmanager
 def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Device]:
     """A device at a port. Raises Failure if it cannot be opened."""
@@ -80,8 +84,10 @@ def stopping() -> Iterator[None]:
 def received(
     name: str, options: argparse.Namespace, seconds: float | None = None
 ) -> Iterator[bytes]:
-    """The bytes received at a port, as they arrive, until it closes or the time is over; empty
-    after a pause."""
+    """The bytes received at a port, as they arrive, until the time is over; empty after a pause.
+
+    Raises Lost when the port closes, after all that was received.
+    """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     end = None if seconds is None else time.monotonic() + seconds
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
@@ -89,11 +95,12 @@ def received(
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
             if left <= 0:
                 return
+            closed = device.closed  # before the queue is asked: what came last is in it
             try:
-                yield came.get(timeout=left)
+                yield came.get(timeout=0 if closed else left)
             except queue.Empty:
-                if device.closed:
-                    return
+                if closed:
+                    raise Lost(f"{name} was closed") from None
                 yield b""
 
 
@@ -108,18 +115,25 @@ def pieces(
 def pieces(
     name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False
 ) -> Iterator[Any]:
-    """The packets received at a port, and the bytes between them; `idle`: None after pauses."""
+    """The packets received at a port, and the bytes between them; `idle`: None after pauses.
+
+    Raises Lost when the port closes, after all that was received.
+    """
     scanner = Scanner()
     last = time.monotonic()
-    for data in received(name, options, seconds):
-        if data:
-            last = time.monotonic()
-            yield from scanner.feed(data)
-        elif time.monotonic() - last > SILENCE:
-            yield from scanner.flush()
-        if idle and not data:
-            yield None
+    try:
+        for data in received(name, options, seconds):
+            if data:
+                last = time.monotonic()
+                yield from scanner.feed(data)
+            elif time.monotonic() - last > SILENCE:
+                yield from scanner.flush()
+            if idle and not data:
+                yield None
+    except Lost:
+        yield from scanner.flush()
+        raise
     yield from scanner.flush()
 
 
-__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "stopping"]
+__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received", "stopping"]

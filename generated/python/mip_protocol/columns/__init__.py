@@ -16,6 +16,7 @@ from .column import Column
 from .contents import TypeCount
 from .general import Ragged
 from .log import Log, read_log
+from .native import compiled
 from .times import Times
 
-__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "read_log"]
+__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]

@@ -15,14 +15,22 @@ NOTHING = np.zeros(0, np.uint8)
 class Piece:
     """The packets that begin in it, and their fields as soon as they are asked for."""
 
-    __slots__ = ("at", "begin", "data", "end", "number", "runs")
+    __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs", "size")
 
-    def __init__(self, begin: int, number: int, at: Array, end: Array) -> None:
+    def __init__(self, begin: int, size: int, number: int, at: Array, end: Array) -> None:
         self.begin = begin  # in the file
+        self.size = size  # bytes that the packets begin in
         self.number = number  # of the first packet
         self.at, self.end = at, end  # of packets, in the piece
         self.data = NOTHING  # its bytes, while it is looked at
         self.runs: list[Run] | None = None
+        self._sets: Array | None = None
+
+    def sets(self) -> Array:
+        """The descriptor sets of the packets. For the first time while it is looked at."""
+        if self._sets is None:
+            self._sets = self.data[self.at + 2]
+        return self._sets
 
 
 class Where:
@@ -32,14 +40,13 @@ class Where:
         """`only` is the set that all come from, or 0."""
         self._only = only
         self._rows: list[tuple[Piece, Array]] = []
-        self._sets: list[Array] = []
         self._right: Array | None = None
 
     def add(self, piece: Piece, packet: Array) -> None:
         """Adds the rows of a piece."""
         self._rows.append((piece, packet))
         if not self._only:
-            self._sets.append(piece.data[piece.at[packet] + 2])
+            piece.sets()
 
     def keep(self, right: Array | None) -> None:
         """Keeps some of the rows."""
@@ -47,11 +54,12 @@ class Where:
 
     def packet(self) -> Array:
         """The numbers of the packets in the log."""
-        return self._joined([packet + piece.number for piece, packet in self._rows], np.int64)
+        numbers = [_from(piece.number, packet) for piece, packet in self._rows]
+        return self._joined(numbers, np.int64)
 
     def offset(self) -> Array:
         """Where they begin in the file."""
-        places = [piece.at[packet] + piece.begin for piece, packet in self._rows]
+        places = [_from(piece.begin, piece.at[packet]) for piece, packet in self._rows]
         return self._joined(places, np.int64)
 
     def set(self) -> Array:
@@ -59,7 +67,7 @@ class Where:
         if self._only:
             total = sum(len(packet) for _, packet in self._rows)
             return self._joined([np.full(total, self._only, np.uint8)], np.uint8)
-        return self._joined(self._sets, np.uint8)
+        return self._joined([piece.sets()[packet] for piece, packet in self._rows], np.uint8)
 
     def sets(self) -> list[int]:
         """Each of their descriptor sets."""
@@ -77,3 +85,8 @@ class Where:
         if self._right is not None:
             return int(self._right.sum())
         return sum(len(packet) for _, packet in self._rows)
+
+
+def _from(first: int, numbers: Array) -> Array:
+    """Numbers that count from another one: in a whole log, they need 64 bits."""
+    return np.add(numbers, first, dtype=np.int64)

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import scan
-from .scan import Array
+from . import native, scan
+from .scan import HEADER, Array
 
 #: Packets of one set and length are compared with the first of them as long as there are so many …
 _MANY = 64
@@ -22,11 +22,13 @@ class Run(NamedTuple):
     descriptor: int
     length: int  # of the data
     packet: Array  # numbers of the packets in the piece
-    offset: int | Array  # of the data, from the beginning of the packet
+    offset: int | Array  # of the data in the payload
 
 
 def runs(data: Array, found: scan.Found) -> list[Run]:
     """All fields of these packets."""
+    if native.kernel is not None and (known := native.kernel.fields(data, found.at)) is not None:
+        return [Run(*fields) for fields in known]
     fields: list[Run] = []
     alone = np.ones(len(found.at), bool)
     for group in found.groups:
@@ -45,13 +47,13 @@ def runs(data: Array, found: scan.Found) -> list[Run]:
 
 def _alike(key: int, number: Array, rows: Array, found: list[Run]) -> tuple[Array, Array]:
     """Adds the fields of the packets that have the layout of the first one; returns the others."""
-    fields, heads = _layout(rows[0, : 4 + (key & 0xFF)].tobytes())
+    fields, heads = _layout(rows[0, : HEADER + (key & 0xFF)].tobytes())
     same = np.ones(len(rows), bool)
     for place, byte in heads:
         same &= rows[:, place] == byte
     alike = same.all()
     these = number if alike else number[same]
-    found += [Run(key >> 8, d, size, these, place) for d, size, place in fields]
+    found += [Run(key >> 8, d, size, these, offset) for d, size, offset in fields]
     if alike:
         return number[:0], rows[:0]
     np.logical_not(same, out=same)
@@ -59,16 +61,16 @@ def _alike(key: int, number: Array, rows: Array, found: list[Run]) -> tuple[Arra
 
 
 def _layout(row: bytes) -> tuple[list[tuple[int, int, int]], list[tuple[int, int]]]:
-    """Descriptor, size and place of each field, and the bytes that tell this layout."""
+    """Descriptor, size and offset of each field, and the bytes that tell this layout."""
     fields, heads = [], []
-    at = 4
+    at = HEADER
     while at < len(row):
         length = row[at]
         heads.append((at, length))
         if length < 2 or length > len(row) - at:
             break
         heads.append((at + 1, row[at + 1]))
-        fields.append((row[at + 1], length - 2, at + 2))
+        fields.append((row[at + 1], length - 2, at + 2 - HEADER))
         at += length
     return fields, heads
 
@@ -76,7 +78,7 @@ def _layout(row: bytes) -> tuple[list[tuple[int, int, int]], list[tuple[int, int
 def _walk(data: Array, at: Array, end: Array, packet: Array, found: list[Run]) -> None:
     """Adds the fields of these packets: the first ones of all, the second ones, …"""
     begin = at[packet]
-    stop, place = end[packet] - 2, begin + 4
+    stop, place = end[packet] - 2, begin + HEADER
     seen: list[tuple[Array, Array, Array, Array]] = []
     while len(packet):
         length = data[place]
@@ -87,7 +89,8 @@ def _walk(data: Array, at: Array, end: Array, packet: Array, found: list[Run]) -
                 values[whole] for values in (packet, begin, stop, place, length)
             )
         descriptor = data[place + 1].astype(np.uint16)
-        seen.append((packet, place + 2 - begin, descriptor << 8 | length, data[begin + 2]))
+        offset = (place + (2 - HEADER) - begin).astype(np.uint8)
+        seen.append((packet, offset, descriptor << 8 | length, data[begin + 2]))
         place = place + length
     packet, offset, key, number = (np.concatenate(values) for values in zip(*seen))
     order = np.lexsort((offset, packet, key, number))
@@ -105,7 +108,7 @@ def _walk(data: Array, at: Array, end: Array, packet: Array, found: list[Run]) -
 
 
 def places(found: list[Run], packets: int) -> tuple[Array, Array]:
-    """Packet and offset of all fields of these runs, in the order of the log."""
+    """Packet, and offset in its payload, of all fields of these runs, in the order of the log."""
     if len(found) == 1:
         return found[0].packet, _filled(found[0], found[0].offset)
     slot = np.zeros(packets, np.uint8)
@@ -122,4 +125,4 @@ def places(found: list[Run], packets: int) -> tuple[Array, Array]:
 
 def _filled(run: Run, value: int | Array) -> Array:
     """One value for each row."""
-    return np.full(len(run.packet), value, np.intp) if isinstance(value, int) else value
+    return np.full(len(run.packet), value, np.uint8) if isinstance(value, int) else value

@@ -63,7 +63,7 @@ impl<T: Read + Write> Port for StdPort<T> {
         self.io.flush()
     }
 
-    fn now_ms(&mut self) -> u64 {
-        u64::try_from(self.start.elapsed().as_millis()).unwrap_or(u64::MAX)
+    fn now_ms(&mut self) -> u32 {
+        self.start.elapsed().as_millis() as u32
     }
 }

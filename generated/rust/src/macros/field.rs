@@ -56,13 +56,28 @@ macro_rules! command {
                         $(&& matches!(self.function, $($crate::protocol::FunctionSelector::$asked)|+))?
                         $($(&& self.$part == $is)+)?
                     {
-                        let check: $crate::ResponseCheck =
-                            |field| None$(.or_else(|| $crate::field::check::<$reply>(field)))+;
-                        return Some(check);
+                        return Some(check!($($reply)+));
                     }
                 )*
                 None
             }
+        }
+    };
+}
+
+/// The check for a response that may have several layouts.
+macro_rules! check {
+    ($reply:ident) => {
+        $crate::field::check::<$reply>
+    };
+    ($($reply:ident)+) => {
+        |field| {
+            $(
+                if let Some(decodes) = $crate::field::check::<$reply>(field) {
+                    return Some(decodes);
+                }
+            )+
+            None
         }
     };
 }

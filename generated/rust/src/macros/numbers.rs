@@ -119,7 +119,7 @@ macro_rules! vector {
             #[inline]
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::error::DecodeErrorKind> {
+            ) -> ::core::result::Result<Self, $crate::error::Invalid> {
                 reader.read::<[$number; $count]>().map(Self::from)
             }
 
@@ -198,7 +198,7 @@ macro_rules! newtype {
             #[inline]
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::error::DecodeErrorKind> {
+            ) -> ::core::result::Result<Self, $crate::error::Invalid> {
                 reader.read().map(Self)
             }
 

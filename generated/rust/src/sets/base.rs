@@ -130,7 +130,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
     /// [3DM-RTK](crate::devices::RTK).
     ///
-    /// - The resume command restores the previous mode.
+    /// - [`Resume`] restores the previous mode.
     /// - While idle, the device does not send NMEA sentences either.
     ///
     /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
@@ -345,7 +345,7 @@ command! {
 record! {
     /// Get device descriptors (extended) (0x01,0x07).
     ///
-    /// Gets the supported descriptors that did not fit into the reply of get device descriptors.
+    /// Gets the supported descriptors that did not fit into the reply of [`GetDeviceDescriptors`].
     ///
     /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
@@ -384,10 +384,10 @@ record! {
     /// Also called `continuous_bit`. Answered by [`ContinuousBuiltInTestResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - It is less thorough than the built-in test command.
+    /// - It is less thorough than [`BuiltInTest`].
     /// - Each flag stays set until this command reports it; the streamed field has its own copy of
     ///   the flags.
-    /// - The self-test flags change only when the built-in test command runs.
+    /// - The self-test flags change only when [`BuiltInTest`] runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
     #[derive(Copy, Default, Eq, Hash)]

@@ -20,7 +20,7 @@ record! {
         pub receiver_id: u8,
         /// Descriptor set of the data of this receiver.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub mip_data_descriptor_set: u8,
         /// Module name or model and firmware version, separated by a comma.
         pub description: crate::Text<32>,

@@ -286,7 +286,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Copy, Default)]
     pub struct SensorRangeEntry {
-        /// Value for the sensor range command.
+        /// Value for [`SensorRange`].
         pub setting: u8,
         /// Largest measurable value.
         pub range: f32,
@@ -344,8 +344,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
     ///
-    /// - An empty list polls the stored message format; if none is stored, the device refuses the
-    ///   command.
+    /// - An empty list polls what [`ImuMessageFormat`] stores; if nothing is stored, the device
+    ///   refuses the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -355,6 +355,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -407,8 +409,8 @@ record! {
         pub suppress_ack: crate::Bool,
         /// Fields to send.
         ///
-        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say how
-        /// a poll uses it.
+        /// Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the
+        /// reserved number and does not say how a poll uses it.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -448,8 +450,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
     ///
-    /// - An empty list polls the stored message format; if none is stored, the device refuses the
-    ///   command.
+    /// - An empty list polls what [`FilterMessageFormat`] stores; if nothing is stored, the device
+    ///   refuses the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -459,6 +461,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -537,7 +541,7 @@ command! {
 record! {
     /// Get IMU Data Base Rate (0x0C,0x06).
     ///
-    /// Gets the rate that is divided by the decimations of the IMU message format.
+    /// Gets the rate that is divided by the decimations of [`ImuMessageFormat`].
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -569,7 +573,7 @@ command! {
 record! {
     /// Get GNSS Data Base Rate (0x0C,0x07).
     ///
-    /// Gets the rate that is divided by the decimations of the GNSS message format.
+    /// Gets the rate that is divided by the decimations of [`GnssMessageFormat`].
     ///
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
@@ -613,8 +617,8 @@ record! {
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
-    ///   by the desired rate.
+    /// - The decimation is the base rate, as [`GetImuBaseRate`] reports it, divided by the desired
+    ///   rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -625,7 +629,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Sensor data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -681,8 +685,8 @@ record! {
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as the get GNSS data base rate command reports it,
-    ///   divided by the desired rate.
+    /// - The decimation is the base rate, as [`GetGnssBaseRate`] reports it, divided by the desired
+    ///   rate.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
@@ -692,7 +696,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of GNSS data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -748,8 +752,8 @@ record! {
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as the get estimation filter data base rate command
-    ///   reports it, divided by the desired rate.
+    /// - The decimation is the base rate, as [`GetFilterBaseRate`] reports it, divided by the
+    ///   desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -760,7 +764,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Filter data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -803,7 +807,7 @@ command! {
 record! {
     /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
     ///
-    /// Gets the rate that is divided by the decimations of the estimation filter message format.
+    /// Gets the rate that is divided by the decimations of [`FilterMessageFormat`].
     ///
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -906,8 +910,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
     ///
-    /// - An empty list polls the stored message format; if none is stored, the device refuses the
-    ///   command.
+    /// - An empty list polls what [`MessageFormat`] stores; if nothing is stored, the device
+    ///   refuses the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply, on the port of the command.
     /// - List shared descriptors (0xD0 and up) before the others.
@@ -917,11 +921,13 @@ record! {
     pub struct PollData {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Field descriptors.
+        ///
+        /// Refers to fields of [`descriptor_set`](PollData::descriptor_set).
         pub descriptors: crate::List<u8, 250>,
     }
     wire 253 {
@@ -965,7 +971,7 @@ record! {
     pub struct GetBaseRate {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
     }
 }
@@ -1000,8 +1006,8 @@ record! {
     /// [`descriptors`](MessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as the get data base rate command reports it, divided by
-    ///   the desired rate.
+    /// - The decimation is the base rate, as [`GetBaseRate`] reports it, divided by the desired
+    ///   rate.
     /// - List shared descriptors (0xD0 and up) under the set whose packets will contain them,
     ///   before the others.
     ///
@@ -1014,7 +1020,8 @@ record! {
         pub descriptor_set: Option<u8>,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of [`descriptor_set`](MessageFormat::descriptor_set). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 252 {
@@ -1506,7 +1513,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
-    /// - The pins are configured separately, by the GPIO configuration command.
+    /// - The pins are configured separately, by [`GpioConfig`].
     /// - The filter needs a valid pulse; `disabled` and `generated` are rarely useful.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
@@ -1740,8 +1747,8 @@ record! {
     /// Answered by [`EventTriggerConfigResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The trigger is disabled afterwards; the event control command enables it.
-    /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
+    /// - The trigger is disabled afterwards; [`EventControl`] enables it.
+    /// - A GPIO trigger needs its pin configured by [`GpioConfig`].
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy)]
@@ -1989,8 +1996,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
-    ///   value read back may be another form of it.
+    /// - [`SensorToVehicleTransformQuaternion`] and [`SensorToVehicleTransformDcm`] set the same
+    ///   transformation; the value read back may be another form of it.
     /// - Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
     ///   about its own z, y and x axes, in this order.
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
@@ -2069,8 +2076,8 @@ record! {
     /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
-    ///   value read back may be another form of it.
+    /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformDcm`] set the same
+    ///   transformation; the value read back may be another form of it.
     /// - `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
@@ -2133,8 +2140,8 @@ record! {
     /// [`SensorToVehicleTransformDcmResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The three transformation commands (0x31, 0x32, 0x33) set the same transformation; the
-    ///   value read back may be another form of it.
+    /// - [`SensorToVehicleTransformEuler`] and [`SensorToVehicleTransformQuaternion`] set the same
+    ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
@@ -2342,7 +2349,7 @@ record! {
     ///
     /// - The device must be at rest, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
-    /// - The bias is not saved; to save it, use the gyroscope bias configuration command with save.
+    /// - The bias is not saved; to save it, send [`GyroBias`] with save.
     /// - The 3DM-GX5-15 also initializes its orientation from the samples.
     ///
     /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
@@ -2827,7 +2834,7 @@ record! {
     /// - An event action of mode `active_high` or `active_low` on the pin overrides the written
     ///   state.
     /// - Reading is guaranteed to work only with the gpio feature.
-    /// - The GPIO configuration command determines the state at power-up.
+    /// - [`GpioConfig`] determines the state at power-up.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
     #[derive(Copy, Eq, Hash)]
@@ -2972,9 +2979,10 @@ record! {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor
-        /// data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure
-        /// 0x17; 0 means all of them, except for read.
+        /// Refers to fields of Sensor data. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor data
+        /// set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+        /// 0 means all of them, except for read.
         pub target_descriptor: Option<u8>,
         /// Whether the quantity is filtered.
         ///
@@ -3141,8 +3149,8 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The get calibrated sensor ranges command lists the settings. The device may refuse other
-    ///   settings, or measure incorrectly with them.
+    /// - [`GetCalibratedSensorRanges`] lists the settings. The device may refuse other settings, or
+    ///   measure incorrectly with them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Eq, Hash)]
@@ -3247,6 +3255,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: Option<u8>,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilter::descriptor_set).
         pub field_descriptor: Option<u8>,
         /// Whether the field is filtered.
         ///
@@ -3410,6 +3420,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct ImuMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3438,6 +3450,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of GNSS data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3465,6 +3479,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3667,6 +3683,8 @@ record! {
     pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
+        ///
+        /// Refers to fields of Sensor data.
         pub target_descriptor: u8,
         /// Whether the quantity is filtered.
         ///
@@ -3752,6 +3770,8 @@ record! {
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: u8,
         /// Fields and decimations.
+        ///
+        /// Refers to fields of [`descriptor_set`](MessageFormatResponse::descriptor_set).
         pub descriptors: crate::List<types::DescriptorRate, 83>,
     }
     wire 251 {
@@ -5510,6 +5530,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: u8,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
         /// Whether the field is filtered.
         pub enable: crate::Bool,

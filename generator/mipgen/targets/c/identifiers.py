@@ -28,24 +28,24 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for name in (*(f"mip_{n}" for n in LANGUAGE["runtime"]), *(f"MIP_{n}" for n in LANGUAGE["constants"])):
         yield Identifier("C", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
-        yield from _type(t)
-    yield from _field(model.protocol.acknowledge)
+        yield from of_type(t)
+    yield from of_field(model.protocol.acknowledge)
     for s in model.sets:
         yield Identifier("src/mip", module(s.name), f"set {s.name}", s.position)
         if calls.commands(s):
             yield Identifier("src/mip", f"{module(s.name)}_commands", f"set {s.name}", s.position)
         yield Identifier("C", f"{macro(f'mip_{s.name}')}_SET", f"set {s.name}", s.position)
         for t in s.types:
-            yield from _type(t)
+            yield from of_type(t)
         for f in s.fields:
-            yield from _field(f)
+            yield from of_field(f)
             for name in calls.identifiers(f, model):
                 yield Identifier("C", name, f.full_name, f.position)
     for d in model.devices:
         yield Identifier("C", f"mip_profile_{d.name}", f"device {d.id}", d.position)
 
 
-def _type(t: m.Type) -> Iterator[Identifier]:
+def of_type(t: m.Type) -> Iterator[Identifier]:
     name, place = type_name(t), getattr(t, "position", None)
     yield Identifier("C", name, t.name, place)
     if isinstance(t, (m.Enum, m.Bitfield)):
@@ -64,7 +64,7 @@ def _type(t: m.Type) -> Iterator[Identifier]:
         yield from _members(t)
 
 
-def _field(f: m.Field) -> Iterator[Identifier]:
+def of_field(f: m.Field) -> Iterator[Identifier]:
     name = field_name(f)
     yield Identifier("C", name, f.full_name, f.position)
     yield Identifier("C", macro(name), f.full_name, f.position)

@@ -20,13 +20,13 @@ def key(f: m.Field) -> str:
     return f"0x{f.set:02X}{f.descriptor:02X}"
 
 
-def number(value: int, size: int) -> str:
-    """An unsigned number of `size` bytes.
+def number(value: int, size: int, text: str = "") -> str:
+    """An unsigned number of `size` bytes, perhaps in a form of its own.
 
     >>> number(3, 1), number(0xFFFF0000, 4), number(1, 8)
     ('3', 'UINT32_C(0xFFFF0000)', 'UINT64_C(1)')
     """
-    text = str(value) if value < 0x8000 else f"0x{value:X}"
+    text = text or (str(value) if value < 0x8000 else f"0x{value:X}")
     return f"UINT64_C({text})" if size == 8 else f"UINT32_C({text})" if value > 0x7FFF and size == 4 else text
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...descriptors import hexadecimal
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .calls import Call, calls
 from .literals import number, string
@@ -24,6 +26,21 @@ def command(f: m.Field, typical: Typical) -> str:
     return "\n".join(lines)
 
 
+def sequence(name: str, steps: Sequence[tuple[m.Field, Given]]) -> str:
+    """A function that sends several commands; it ends with the first one that is not acknowledged."""
+    needs = sorted({f'#include "mip/{module(f.set_name)}_commands.h"' for f, _ in steps})
+    lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
+    for i, (f, given) in enumerate(steps):
+        before, asked = _call(f, given.call, given, "        " if i else "    ")
+        title = f"/* {i + 1}: {title_of(f, given)} */"
+        body = "\n".join([*before, f"{'' if i else 'struct mip_result '}result = {asked}"]).split("\n")
+        if i == 0:
+            lines += [f"    {line}" for line in (title, *body)]
+        else:
+            lines += [f"    if (mip_succeeded(result)) {{ {title}", *(f"        {line}" for line in body), "    }"]
+    return "\n".join([*lines, "    return result;", "}"])
+
+
 def data(f: m.Field) -> str:
     """Reads it from a field of a packet."""
     names = [f"value.{member(p.name)}" for p in members(f)]
@@ -38,7 +55,7 @@ def data(f: m.Field) -> str:
     ])  # fmt: skip
 
 
-def _call(f: m.Field, shown: m.Call, typical: Typical) -> tuple[list[str], str]:
+def _call(f: m.Field, shown: m.Call, typical: Typical, indent: str = "") -> tuple[list[str], str]:
     values = typical.values(f, shown)
     replies = typical.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
@@ -60,7 +77,7 @@ def _call(f: m.Field, shown: m.Call, typical: Typical) -> tuple[list[str], str]:
     if chosen.response is not None:
         before.append(f"struct {field_name(chosen.response)} response;")
         given.append("&response")
-    return before, call(f"{chosen.name}(", given, ");", 80, comma="")
+    return before, call(f"{chosen.name}(", given, ");", 80 - len(indent), comma="")
 
 
 def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[str]]:
@@ -68,11 +85,7 @@ def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[s
     name, op = argument_name(p.name), p.operation
     if p.element is None:
         alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
-        held = (
-            f".{member(alternative.name)} = {_value(alternative.operation, value[alternative.name])}"
-            if alternative
-            else "0"
-        )
+        held = f".{member(alternative.name)} = {_value(alternative, value[alternative.name])}" if alternative else "0"
         return [f"const union {union_name(p, f)} {name} = {{{held}}};"], [f"&{name}"]
     if isinstance(op, m.TextOp):
         count = [str(len(value))] if p.length == "rest" else []
@@ -82,14 +95,14 @@ def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[s
         if not value:
             return [], [*count, "NULL"]
         inner = f"[{op.item.count}]" if isinstance(op.item, m.ArrayOp) else ""
-        return [f"const {c_type(p.element)} {name}[]{inner} = {_value(op, value)};"], [*count, name]
+        return [f"const {c_type(p.element)} {name}[]{inner} = {_value(p, value)};"], [*count, name]
     if is_struct(p.element):
-        return [f"const {c_type(p.element)} {name} = {_value(op, value)};"], [f"&{name}"]
+        return [f"const {c_type(p.element)} {name} = {_value(p, value)};"], [f"&{name}"]
     if takes_enum(p):
         assert isinstance(p.element, m.Enum)
         known = next((v for v in p.element.values if v.value == value), None)
         return [], [constant(p.element, known) if known else f"(enum {type_name(p.element)}){value}"]
-    return [], [_value(op, value)]
+    return [], [_value(p, value)]
 
 
 def _record(parameters: tuple[m.Parameter, ...], values: dict[str, Any]) -> str:
@@ -105,17 +118,19 @@ def _member(p: m.Parameter, value: Any) -> str:
     if p.element is None:
         alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
         return (
-            f"{{.{member(alternative.name)} = {_value(alternative.operation, value[alternative.name])}}}"
+            f"{{.{member(alternative.name)} = {_value(alternative, value[alternative.name])}}}"
             if alternative
             else "{0}"
         )
-    return _value(p.operation, value)
+    return _value(p, value)
 
 
-def _value(op: m.Operation, value: Any) -> str:
+def _value(p: m.Parameter, value: Any, op: m.Operation | None = None) -> str:
+    """A value of a parameter, or of an item of its array."""
+    op = op or p.operation
     match op:
         case m.ScalarOp():
-            return _number(op, value)
+            return _number(p, op, value)
         case m.CounterOp():
             return str(value)
         case m.TextOp():
@@ -123,13 +138,13 @@ def _value(op: m.Operation, value: Any) -> str:
         case m.BitsOp():
             return f"{{{{{', '.join(map(str, value))}}}}}"
         case m.ArrayOp():
-            return f"{{{', '.join(_value(op.item, v) for v in value) or '0'}}}"
+            return f"{{{', '.join(_value(p, v, op.item) for v in value) or '0'}}}"
         case m.StructOp():
             return _record(op.struct.parameters, value)
     raise AssertionError(op)
 
 
-def _number(op: m.ScalarOp, value: Any) -> str:
+def _number(p: m.Parameter, op: m.ScalarOp, value: Any) -> str:
     if op.scalar.kind == "float":
         return decimal(value) + ("F" if op.size == 4 else "")
     if op.scalar.kind == "bool":
@@ -142,4 +157,6 @@ def _number(op: m.ScalarOp, value: Any) -> str:
         named = flags(op.type, value)
         if named:
             return " | ".join(constant(op.type, b) for b in named)
+    if p.shown:
+        return number(value, op.size, hexadecimal(p, value))
     return str(value) if value < 0 else number(value, op.size)

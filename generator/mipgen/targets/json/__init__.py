@@ -8,6 +8,7 @@ from typing import Any
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
+from ...typical import Typical
 from . import document, names
 
 TITLE = "the specification as JSON, with a JSON Schema"
@@ -16,7 +17,9 @@ CONFORMANCE = ("decode", "encode")
 
 def files(model: m.Model) -> Iterator[File]:
     yield File("mip.json", "mip.json.j2", {"text": document.text(model)})
-    yield File("README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model)})
+    yield File(
+        "README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model), "typical": Typical(model)}
+    )
 
 
 def shown(model: m.Model) -> m.Field:

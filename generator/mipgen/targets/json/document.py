@@ -11,15 +11,20 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+from ... import guided
 from ... import model as m
+from ...simulated import Quantity
+from ...typical import Typical
 from .names import symbols, type_name
+from .programs import programs
 
 #: The version of the form of the document, as the README explains it; the schema states it too.
 FORMAT = "1.0"
 
 #: Attributes that are not written: positions in the sources, and what is written in another place or form.
 LEFT_OUT: dict[type, tuple[str, ...]] = {
-    m.Parameter: ("element", "operation", "cases"),
+    m.Parameter: ("element", "operation", "cases", "typical"),  # typical values are with the calls of fields
+    Quantity: ("typical",),
     m.Field: ("set_name", "functions"),
     m.Struct: ("owner",),
     m.Enum: ("owner",),
@@ -27,6 +32,7 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Device: ("variants",),  # each is with its parameter
     m.Support: ("functions",),
     m.Variant: ("only",),
+    guided.Shown: ("data",),  # in the packet
 }
 
 
@@ -44,9 +50,10 @@ def _laid_out(value: Any) -> str:
     return line(value)
 
 
-def lines(f: m.Field) -> str:
+def lines(f: m.Field, typical: Typical) -> str:
     """A field, one line for each attribute."""
-    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in _attributes(f).items()) + "\n}"
+    found = _with_typical(f, typical)
+    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in found.items()) + "\n}"
 
 
 def line(value: Any) -> str:
@@ -54,7 +61,7 @@ def line(value: Any) -> str:
 
 
 def document(model: m.Model) -> dict[str, Any]:
-    p = model.protocol
+    p, typical = model.protocol, Typical(model)
     return {
         "$schema": "mip.schema.json",
         "format": FORMAT,
@@ -73,11 +80,13 @@ def document(model: m.Model) -> dict[str, Any]:
         "vocabulary": plain(p.vocabulary),
         "types": [_attributes(t) for t in types(model)],
         "sets": [_attributes(s) for s in model.sets],
-        "fields": [_attributes(f) for f in (p.acknowledge, *model.fields)],
+        "fields": [_with_typical(f, typical) for f in (p.acknowledge, *model.fields)],
         "devices": [_attributes(d) for d in model.devices],
         "examples": plain(model.examples),
         "errata": plain(model.errata),
         "simulation": _attributes(model.simulation),
+        "guides": plain(model.guides),
+        "programs": programs(model),
     }
 
 
@@ -170,6 +179,17 @@ def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
         found["command"] = f"{f.set_name}.{f.command}"
     if f.constants:
         found["constants"] = [{"offset": at, "size": op.size, "value": op.value} for at, op in f.constants]
+    return found
+
+
+def _with_typical(f: m.Field, typical: Typical) -> dict[str, Any]:
+    """A field with the values that a user would send or see."""
+    found = _attributes(f)
+    values = [typical.whole(f, c) for c in f.calls]
+    if f.functions:
+        found["calls"] = [{**c, "typical": v} if v else c for c, v in zip(found["calls"], values, strict=True)]
+    elif values[0]:
+        found["typical"] = values[0]
     return found
 
 

@@ -19,9 +19,12 @@ from ...render import File
 from .. import javascript
 from . import (
     answers,
+    comparison,
     devices,
     examples,
     fields,
+    guides,
+    indexes,
     packets,
     parameters,
     places,
@@ -41,11 +44,14 @@ LONG = True
 
 def files(model: m.Model) -> Iterator[File]:
     index = Index(model)
+    lists = {"comparison": places.COMPARISON if model.devices else {}, "indexes": places.INDEXES}
 
     def page(path: str, template: str, **context: Any) -> File:
-        return File(path, template, {"page": Page(path, index), **context})
+        return File(path, template, {"page": Page(path, index), **lists, **context})
 
-    yield File("mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index)})  # its paths begin below docs/
+    yield File(
+        "mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index), **lists}
+    )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
     yield page(places.PACKETS, "packets.md.j2")
@@ -65,6 +71,12 @@ def files(model: m.Model) -> Iterator[File]:
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
+    for name in lists["comparison"]:
+        yield page(places.comparison_page(name), f"compare/{name}.md.j2")
+    for name in lists["indexes"]:
+        yield page(places.index_page(name), f"indexes/{name}.md.j2")
+    for g in model.guides:
+        yield page(places.guide_page(g), "guide.md.j2", guide=g)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -88,6 +100,8 @@ FILTERS: Filters = {
     "spaced": text.spaced,
     "label": places.label,
     "types_page": places.types_page,
+    "comparison_page": places.comparison_page,
+    "index_page": places.index_page,
     "number": describe.number,
     "asked": fields.asked,
     "field_length": fields.field_length,
@@ -100,9 +114,15 @@ FILTERS: Filters = {
     "of_manual": sources.of_manual,
     "severities": sources.severities,
     "own_lines": sources.own_lines,
+    "heading": guides.heading,
+    "step_title": guides.title,
+    "bandwidth": guides.bandwidth,
+    "surely": guides.surely,
+    "read": guides.read,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
     "tools": lambda _: tools.TOOLS,
+    "of_sections": examples.of_sections,
 }
 
 #: Filters that need the page where they are used: links are relative to it.
@@ -140,12 +160,33 @@ FILTERS_OF_PAGE: Filters = {
     "base_rates": devices.base_rates,
     "rates_of_set": devices.rates_of_set,
     "variants": devices.variants,
+    "generations": lambda page, _: comparison.generations(page),
+    "compared": comparison.fields,
+    "other_devices": lambda page, _: comparison.others(page.model),
+    "perhaps_of_others": comparison.perhaps,
+    "compared_rates": lambda page, _: comparison.rates(page),
+    "compared_meanings": lambda page, _: comparison.meanings(page),
+    "index_of": indexes.index,
     "citations": sources.citations,
     "field_lengths": sources.field_lengths,
     "length_remarks": sources.length_remarks,
     "subjects": sources.subjects,
     "device": examples.device,
     "packet_table": examples.packet_table,
+    "overview": guides.overview,
+    "streamed": guides.streamed,
+    "guide_programs": guides.programs,
+    "rates": guides.rates,
+    "doubts": guides.doubts,
+    "sent": guides.sent,
+    "answered": guides.answered,
+    "come": guides.come,
+    "changes": guides.changes,
+    "meanings": guides.meanings,
+    "added": guides.added,
+    "fact_table": guides.fact_table,
+    "see": guides.named,
+    "guides_with": guides.with_field,
 }
 
 

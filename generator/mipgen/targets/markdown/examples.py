@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from ... import codec
+from ... import codec, descriptors
 from ... import model as m
 from ...checks import differences
 from .fields import on_page
@@ -30,6 +30,14 @@ class Around:
     parameters: Sequence[m.Parameter]
     values: Mapping[str, Any]
     device: m.Device | None
+    model: m.Model
+    page: Page
+    fields_of: int | None = None  # the set whose field descriptors it holds
+
+    def inside(self, p: m.Parameter, inner: m.Struct, values: Mapping[str, Any]) -> Around:
+        """A structure in it."""
+        number = descriptors.set_of(p, self.values, self.model)
+        return replace(self, parameters=inner.parameters, values=values, fields_of=number)
 
 
 # --------------------------------------------------------------------------- bytes
@@ -48,6 +56,12 @@ def right_bytes(x: m.Example) -> str:
 def misprints(x: m.Example) -> list[str]:
     """How the bytes in the manual differ from the correct ones."""
     return [plain(d) for d in differences(x)]
+
+
+def of_sections(found: Sequence[m.Example], manual: m.Manual) -> list[m.Example]:
+    """The examples of a manual in the order in which it prints them: that of its sections."""
+    order = {section: i for i, section in enumerate(manual.sections)}
+    return sorted((x for x in found if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
 
 
 # --------------------------------------------------------------------------- tables of bytes
@@ -89,9 +103,9 @@ def made(page: Page, f: m.Field) -> m.Example:
     return m.Example("", "", "", "", role, None, None, packet, (part,), "")
 
 
-def said(f: m.Field, values: Mapping[str, Any]) -> list[Piece]:
+def said(page: Page, f: m.Field, values: Mapping[str, Any]) -> list[Piece]:
     """The values of a field, without the function selector."""
-    pieces = _record(Around(f.parameters, values, None), codec.encode(f, dict(values)), "")
+    pieces = _record(Around(f.parameters, values, None, page.model, page), codec.encode(f, dict(values)), "")
     return list(pieces)[1 if f.selector else 0 :]
 
 
@@ -103,7 +117,7 @@ def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
     head = bytes([len(part.data) + 2, part.descriptor])
     f = page.model.field(part.field) if part.field else None
     yield Piece(head, "field length, descriptor", page.link(f) if f else "unknown")
-    pieces = _record(Around(f.parameters, part.values or {}, x.device), part.data, "") if f else ()
+    pieces = _record(Around(f.parameters, part.values or {}, x.device, page.model, page), part.data, "") if f else ()
     answered = page.index.shown(x, part) if f is page.model.protocol.acknowledge else []
     at = 0
     for piece in pieces:
@@ -130,11 +144,11 @@ def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:
 def _parameter(p: m.Parameter, value: Any, around: Around, data: bytes, name: str) -> Iterator[Piece]:
     match p.operation:
         case m.StructOp(struct=inner):
-            yield from _record(Around(inner.parameters, value, around.device), data, f"{name}.")
+            yield from _record(around.inside(p, inner, value), data, f"{name}.")
         case m.ArrayOp(item=m.StructOp(struct=inner)):
             for i, one in enumerate(value):
                 rest = data[i * inner.max_size :]
-                yield from _record(Around(inner.parameters, one, around.device), rest, f"{name}[{i}].")
+                yield from _record(around.inside(p, inner, one), rest, f"{name}[{i}].")
         case m.ArrayOp(item=m.ArrayOp() as item):
             size = codec.size_of(item)
             for i, one in enumerate(value):
@@ -159,11 +173,20 @@ def _value(p: m.Parameter, value: Any, around: Around) -> str:
     """A value or a list of values, with names and units."""
     t = _type(p, around)
     if t is None:
-        return _numbers(p, value if isinstance(value, list) else [value], around)
+        each = value if isinstance(value, list) else [value]
+        return ", ".join(_hexadecimal(p, v, around) for v in each) if p.shown else _numbers(p, each, around)
     if isinstance(t, m.Bitfield) and t.scalar is None:
         return _flags(t, int.from_bytes(bytes(value), "little"))
     each = value if isinstance(value, list) else [value]
     return ", ".join(_flags(t, v) if isinstance(t, m.Bitfield) else _name(t, v) for v in each)
+
+
+def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
+    """A number that people know in this form, and the set or the field that it means."""
+    number = descriptors.set_of(p, around.values, around.model) or around.fields_of
+    found = descriptors.meant(p, value, number, around.model)
+    shown = code(descriptors.hexadecimal(p, value))
+    return f"{shown} {around.page.link(found, inline(found.title))}" if found else shown
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:

@@ -11,6 +11,7 @@ from functools import cache
 from ... import describe
 from ... import model as m
 from ...describe import Ref
+from ...guided import Guide
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
 from .tools import Tool
@@ -22,9 +23,27 @@ UNITS = "docs/units.md"
 TYPES = "docs/types.md"
 ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
+#: Names of the pages that compare devices, and of the indexes -> their titles.
+COMPARISON = {
+    "overview": "Devices",
+    "commands": "Commands",
+    "data": "Data fields",
+    "rates": "Rates, ports and limits",
+    "meanings": "Meaning of values",
+}
+INDEXES = {
+    "descriptors": "By descriptor",
+    "names": "By name",
+    "types": "By type",
+    "units": "By unit",
+    "vendor": "By the vendor's names",
+    "c": "Symbols in C",
+    "python": "Symbols in Python",
+    "rust": "Symbols in Rust",
+}
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Tool | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Tool | Guide | str
 
 
 def set_page(name: str) -> str:
@@ -40,12 +59,24 @@ def types_page(owner: str | None) -> str:
     return f"docs/types/{owner}.md" if owner else TYPES
 
 
+def comparison_page(name: str) -> str:
+    return f"docs/compare/{name}.md"
+
+
+def index_page(name: str) -> str:
+    return f"docs/indexes/{name}.md"
+
+
 def device_page(d: m.Device) -> str:
     return f"docs/devices/{d.id}.md"
 
 
 def tool_page(tool: Tool) -> str:
     return f"docs/tools/{tool.name}.md"
+
+
+def guide_page(g: Guide) -> str:
+    return f"docs/guides/{g.name}.md"
 
 
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
@@ -61,6 +92,8 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""
+        case Guide():
+            return guide_page(thing), ""
         case m.Example():
             return EXAMPLES, f"example.{thing.id}"
         case m.Erratum():
@@ -88,6 +121,8 @@ def label(thing: Thing) -> str:
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
         case m.Device() | m.Word() | Tool():
             return plain(thing.title)
+        case Guide():
+            return plain(thing.title[0].upper() + thing.title[1:])
         case m.Example() | m.Erratum() | m.Manual():
             return plain(thing.id)
         case str():

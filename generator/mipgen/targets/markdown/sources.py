@@ -8,6 +8,7 @@ from typing import Any
 from ... import describe
 from ... import model as m
 from ...checks import computed_length
+from ...guided import Guide
 from .fields import length
 from .places import Page, label
 from .text import code, inline
@@ -23,7 +24,7 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 # --------------------------------------------------------------------------- citations
 
 
-def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device) -> list[str]:
+def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device | Guide) -> list[str]:
     """Where the manuals describe a thing, a line for each."""
     lines = []
     for s in getattr(thing, "sources", ()):

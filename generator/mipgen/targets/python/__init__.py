@@ -135,11 +135,11 @@ def _classes(scope: str, things: Sequence[m.Type | m.Field]) -> Iterator[Identif
     for t in things:
         place = getattr(t, "position", None)
         yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
-        for name, words, position in _attributes(t):
+        for name, words, position in attributes(t):
             yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
 
 
-def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
+def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
     """What a class has, as Python and as the specification call it."""
     if isinstance(t, m.Enum):
         for v in t.values:

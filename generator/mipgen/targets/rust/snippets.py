@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...descriptors import hexadecimal
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .names import Record, constant, home, path, variant
 from .records import Records
@@ -19,38 +21,50 @@ class Snippets:
 
     def command(self, f: m.Field) -> str:
         """Sends it to a device."""
+        return _uses("\n".join(self._sent(f, self.typical)))
+
+    def sequence(self, steps: Sequence[tuple[m.Field, Given]]) -> str:
+        """Sends several commands; one that is not acknowledged returns its error."""
+        lines = []
+        for i, (f, given) in enumerate(steps):
+            lines += [f"// {i + 1}: {title_of(f, given)}", *self._sent(f, given)]
+        return _uses("\n".join(lines))
+
+    def _sent(self, f: m.Field, typical: Typical) -> list[str]:
         lines = []
         constructors = self.records.constructors(f)
-        for shown in self.typical.shown(f):
-            values = self.typical.values(f, shown)
+        for shown in typical.shown(f):
+            values = typical.values(f, shown)
             made = next(c for c in constructors if c.function == shown.function)
-            arguments = [self._value(x.parameter.operation, values[x.parameter.name], f) for x in made.given]
-            asks = bool(self.typical.replies(f, shown))
+            arguments = [self._value(x.parameter, values[x.parameter.name], f) for x in made.given]
+            asks = bool(typical.replies(f, shown))
             head = f"{'let response = device.request' if asks else 'device.run'}(&{_name(f)}::{made.name}("
             lines.append(call(head, arguments, "))?;", 84))
             lines += ['println!("{response:?}");'] if asks else []
-        return _uses("\n".join(lines))
+        return lines
 
     def data(self, f: m.Field) -> str:
         """Takes it from a packet."""
         read = next((f"value.{x.name}" for x in self.records.members(f)), "value")
         return _uses(f'if let Some(Ok(value)) = packet.find::<{_name(f)}>() {{\n    println!("{{:?}}", {read});\n}}')
 
-    def _value(self, op: m.Operation, value: Any, record: Record) -> str:
+    def _value(self, p: m.Parameter, value: Any, record: Record, op: m.Operation | None = None) -> str:
+        """A value of a parameter, or of an item of its array."""
+        op = op or p.operation
         match op:
             case m.ScalarOp():
-                return _number(op, value)
+                return _number(p, op, value)
             case m.BitsOp():
                 return f"{_name(op.type)}({value})"
             case m.TextOp():
                 text = value.replace("\\", "\\\\").replace('"', '\\"')
                 return f'~Text(*b"{text}")' if op.count is not None else f'~VarText::new("{text}").unwrap()'
             case m.ArrayOp():
-                array = f"[{', '.join(self._inner(op.item, v, record) for v in value)}]"
+                array = f"[{', '.join(self._inner(p, v, record, op.item) for v in value)}]"
                 return f"{_name(op.vector)}::from({array})" if op.vector else array
             case m.StructOp():
                 (made,) = self.records.constructors(op.struct)
-                given = [self._value(x.parameter.operation, value[x.parameter.name], op.struct) for x in made.given]
+                given = [self._value(x.parameter, value[x.parameter.name], op.struct) for x in made.given]
                 return f"{_name(op.struct)}::{made.name}({', '.join(given)})"
             case m.SwitchOp():
                 return self._union(op, value, record)
@@ -62,14 +76,15 @@ class Snippets:
         if case is None or case.parameter is None:
             case = next(c for c in op.cases if c.parameter is None)
             return f"{union}::{variant(case.tag.name)}"
-        inner = self._inner(case.parameter.operation, value[case.parameter.name], record)
+        inner = self._inner(case.parameter, value[case.parameter.name], record)
         return f"{union}::{variant(case.tag.name)}({inner})"
 
-    def _inner(self, op: m.Operation, value: Any, record: Record) -> str:
+    def _inner(self, p: m.Parameter, value: Any, record: Record, op: m.Operation | None = None) -> str:
         """Constructors take a `bool`, everything else holds a `Bool`."""
+        op = op or p.operation
         if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool":
             return f"~Bool({value})"
-        return self._value(op, value, record)
+        return self._value(p, value, record, op)
 
 
 def _name(thing: m.Type | Record) -> str:
@@ -83,7 +98,7 @@ def _uses(text: str) -> str:
     return f"use mip_protocol::{names};\n\n{text.replace('~', '')}"
 
 
-def _number(op: m.ScalarOp, value: Any) -> str:
+def _number(p: m.Parameter, op: m.ScalarOp, value: Any) -> str:
     if op.scalar.kind == "float":
         return decimal(value)
     if op.scalar.kind == "bool":
@@ -94,4 +109,4 @@ def _number(op: m.ScalarOp, value: Any) -> str:
     if isinstance(op.type, m.Bitfield):
         named = flags(op.type, value)
         return " | ".join(f"{_name(op.type)}::{constant(b.name)}" for b in named) or f"{_name(op.type)}({value:#x})"
-    return str(value)
+    return hexadecimal(p, value) if p.shown else str(value)

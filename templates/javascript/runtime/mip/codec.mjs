@@ -7,6 +7,7 @@
 import {
     MipError,
     concatenated,
+    described,
     floatBits,
     readFloat,
     readInteger,
@@ -169,6 +170,7 @@ function selectedBy(op, values) {
 /** The data of a field with these values, in the shortest form that holds them. */
 export function encodeData(protocol, field, values) {
     const writer = new Writer(protocol);
+    refuseOther({ member: field.name }, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
     let required = protocol.required(field);
     let ended; // the first parameter that was left out: all behind it must be, too
@@ -223,19 +225,23 @@ class Writer {
                 this.number(op, value);
                 break;
             case "bits":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${op.member} needs ${op.size} bytes`);
                 for (const byte of value) this.parts.push(writeInteger(byte, 1, false, op.member));
                 break;
             case "text":
+                refuseOther(op, value, typeof value === "string", "a text");
                 checkCount(op, value);
                 this.parts.push(writeText(value, op.member));
                 break;
             case "array":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 checkCount(op, value);
                 for (const item of value) this.put(op.item, item, {});
                 break;
             case "struct": {
                 const struct = this.protocol.type(op.struct);
+                refuseOther(op, value, isObject(value), "an object");
                 refuseUnknown(value, struct.parameters, struct.name);
                 for (const part of struct.operations) this.write(part, value);
                 break;
@@ -243,6 +249,7 @@ class Writer {
             case "switch": {
                 const selected = selectedBy(op, values);
                 const wanted = selected ? [selected.member] : [];
+                refuseOther(op, value, isObject(value), "an object");
                 const there = Object.keys(value);
                 if (there.length !== wanted.length || there[0] !== wanted[0]) {
                     const right = wanted[0] ?? "nothing";
@@ -258,9 +265,16 @@ class Writer {
 
     number(op, value) {
         const { size, kind } = this.protocol.scalar(op.scalar);
+        if (kind === "bool" && typeof value === "boolean") value = Number(value);
         const write = kind === "float" ? writeFloat : (number, width, what) => writeInteger(number, width, kind === "signed", what);
         this.parts.push(write(value, size, op.member));
     }
+}
+
+const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+
+function refuseOther(op, value, right, wanted) {
+    if (!right) throw new MipError("range", `${op.member}: ${described(value)} is not ${wanted}`);
 }
 
 function missing(name) {

@@ -23,7 +23,12 @@ export function parametersAt(protocol, field, path) {
         if (!parameter) break;
         found.push({ parameter, record });
         const type = protocol.types.get(parameter.type);
-        record = type?.kind === "struct" ? type : parameter.cases ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) } : record;
+        record =
+            type?.kind === "struct"
+                ? type
+                : parameter.cases
+                  ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) }
+                  : record;
     }
     return found;
 }
@@ -39,10 +44,7 @@ export function valueAt(values, path) {
  */
 export function namedType(protocol, parameter, siblings = {}, device = undefined) {
     const variant = (parameter.variants ?? []).find(
-        (one) =>
-            one.type &&
-            !one.member &&
-            (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
+        (one) => one.type && !one.member && (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
     );
     return protocol.types.get(variant?.type ?? parameter.type);
 }

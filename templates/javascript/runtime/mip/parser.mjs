@@ -75,7 +75,7 @@ export function segments(protocol, bytes) {
         for (let at = from; at < to; at++) if (packetAt(protocol, bytes, at)) return true;
         return false;
     };
-    for (let at = 0; at < bytes.length;) {
+    for (let at = 0; at < bytes.length; ) {
         const size = packetAt(protocol, bytes, at);
         const left = bytes.length - at;
         if (size) {

@@ -1,5 +1,6 @@
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
+import { fromHex, readFloat } from "../mip/bytes.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
 import { buildPacket } from "../mip/packet.mjs";
 import { namedType, parameterOf } from "../mip/names.mjs";
@@ -18,11 +19,54 @@ export function requiredOperations(protocol, field, selector) {
     return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
 }
 
-/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
-export function initialValues(protocol, field, selector) {
+/** Values that a user would send or see, for a function where the field has a selector; optional ones if asked for. */
+export function typicalValues(protocol, field, selector, optional = false) {
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const found = numbersOf(protocol, field, (field.calls ? call?.typical : field.typical) ?? {});
+    const operations = optional ? allOperations(field) : requiredOperations(protocol, field, selector);
     const values = {};
-    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
     if (field.calls) values.function = selector;
+    for (const { kind, member } of operations) {
+        if (kind !== "constant" && Object.hasOwn(found, member)) values[member] = found[member];
+    }
+    return values;
+}
+
+/** The operations of a field, those of groups too. */
+export function allOperations(field) {
+    return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
+}
+
+/** Values as JavaScript has them: the model has the bits of floats. */
+function numbersOf(protocol, record, values) {
+    const found = {};
+    for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (Object.hasOwn(values, op.member)) found[op.member] = numberOfBits(protocol, op, values[op.member]);
+    }
+    return found;
+}
+
+function numberOfBits(protocol, op, value) {
+    switch (op.kind) {
+        case "array":
+            return value.map((one) => numberOfBits(protocol, op.item, one));
+        case "struct":
+            return numbersOf(protocol, protocol.type(op.struct), value);
+        case "switch":
+            return numbersOf(protocol, { operations: op.cases.map((one) => one.operation).filter(Boolean) }, value);
+        case "scalar":
+            return protocol.scalar(op.scalar).kind === "float" ? readFloat(fromHex(value.slice(2))) : value;
+        default:
+            return Array.isArray(value) ? [...value] : value;
+    }
+}
+
+/** Values to begin with: typical ones, else as few as possible. */
+export function initialValues(protocol, field, selector) {
+    const values = typicalValues(protocol, field, selector);
+    for (const op of requiredOperations(protocol, field, selector)) {
+        if (op.kind !== "constant" && !Object.hasOwn(values, op.member)) values[op.member] = initialValue(protocol, op, field, values);
+    }
     return values;
 }
 
@@ -47,7 +91,7 @@ export function initialValue(protocol, op, record, values) {
             const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
             return Array.from({ length: count }, (_, i) => {
                 const one = Array.isArray(given) ? given[i] : given;
-                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, parameter, one, {});
             });
         }
         case "struct": {
@@ -61,18 +105,18 @@ export function initialValue(protocol, op, record, values) {
             return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
         }
         default:
-            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+            return numberOf(protocol, parameter, given ?? firstOf(protocol, parameter, values), values);
     }
 }
 
-function firstOf(protocol, op, parameter, values) {
+function firstOf(protocol, parameter, values) {
     const type = namedType(protocol, parameter, values);
     if (type?.kind === "enum") return type.values[0].value;
     return Math.max(0, parameter.minimum ?? 0);
 }
 
 /** A number for a default: it may be the name of a value, or names of bits. */
-function numberOf(protocol, op, parameter, given, values) {
+function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
     if (Array.isArray(given)) {
@@ -100,15 +144,90 @@ export function counted(protocol, operations, values) {
     return all;
 }
 
-/** The packet of a field with these values; raises a MipError that says what is wrong. */
-export function packetOf(protocol, field, set, values) {
-    const all = counted(protocol, field.operations, values);
-    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+/** The packet of some fields with their values, each `{ field, values }`; raises a MipError that says what is wrong. */
+export function packetOf(protocol, set, entries) {
+    const fields = entries.map(({ field, values }) => ({
+        descriptor: field.descriptor,
+        name: field.name,
+        values: counted(protocol, field.operations, values),
+    }));
+    return buildPacket(protocol, set, fields);
 }
+
+// ------------------------------------------------------------------------------------------------ optional parameters
+
+/** The groups of operations that may follow what a function requires. */
+export function optionalGroups(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const groups = field.operations.filter((op) => op.kind === "group" && op.last > required);
+    return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
+}
+
+/** How many of these groups are there. */
+export function countOptional(groups, values) {
+    const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
+    return absent < 0 ? groups.length : absent;
+}
+
+/** The operations of what is there: all that are required, and the optional ones with values. */
+export function shownOperations(protocol, field, values) {
+    const groups = optionalGroups(protocol, field, values.function);
+    const optional = groups.slice(0, countOptional(groups, values)).flatMap((op) => op.body);
+    return [...requiredOperations(protocol, field, values.function), ...optional];
+}
+
+// ------------------------------------------------------------------------------------------------ devices
+
+/** What a device says of a field: an entry of its `supports`; without a device, of any field; responses go with commands. */
+export function supportOn(protocol, device, field) {
+    if (!device || field === protocol.acknowledge) return {};
+    const names = field.role === "response" ? commandsOf(protocol, field) : [field.name];
+    return device.supports?.find((one) => names.includes(one.field));
+}
+
+function commandsOf(protocol, response) {
+    return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
+}
+
+/** What differs on a device, each in words. */
+export function differencesOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (!support) return ["it is not known to support this"];
+    const found = [];
+    if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
+    if (support.functions) found.push(`only ${support.functions.join(", ")}`);
+    if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
+    for (const parameter of field.parameters) {
+        for (const variant of parameter.variants ?? []) {
+            if (variant.by === "device" && variant.key === device.id) found.push(`${parameter.name}: ${variantText(variant)}`);
+        }
+    }
+    return found;
+}
+
+function variantText({ type, units, minimum, maximum, default: usual, only, constant, unknown, description, deprecated }) {
+    const parts = [
+        unknown && "its values are not known",
+        type && `values of ${type}`,
+        only && `only ${only.join(", ")}`,
+        constant !== undefined && `always ${constant}`,
+        units?.length && `in ${units.join(", ")}`,
+        minimum !== undefined && `at least ${minimum}`,
+        maximum !== undefined && `at most ${maximum}`,
+        usual !== undefined && `default ${usual}`,
+        deprecated && "deprecated",
+        description,
+    ];
+    return parts.filter(Boolean).join("; ") || "differs";
+}
+
+// ------------------------------------------------------------------------------------------------ answers
 
 /**
  * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
- * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ * comes; `responses`, each with the field, the condition under which it is directly behind the acknowledge, and a packet
+ * with typical values.
  */
 export function answerOf(protocol, field, values) {
     const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
@@ -117,12 +236,12 @@ export function answerOf(protocol, field, values) {
     const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
     const { acknowledge } = protocol;
     const [command, code] = acknowledge.operations.map((op) => op.member);
-    const packet = buildPacket(protocol, field.set, [
-        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
-    ]);
+    const first = { field: acknowledge, values: { [command]: field.descriptor, [code]: 0 } };
+    const packet = packetOf(protocol, field.set, [first]);
     const responses = asked.map((response) => ({
         field: response,
         when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+        packet: packetOf(protocol, field.set, [first, { field: response, values: initialValues(protocol, response) }]),
     }));
     return { acknowledge: packet, responses, conditions };
 }

@@ -3,7 +3,8 @@
 import { concatenated } from "../mip/bytes.mjs";
 
 // A line of a hex dump: an offset, bytes, and what they look like. What begins with the sync bytes has no offset.
-const DUMP_LINE = /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
+const DUMP_LINE =
+    /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
 
 // What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
 const TOKEN = new RegExp(
@@ -40,19 +41,19 @@ export function bytesOfText(text) {
     };
 }
 
-function bytesOfToken([, double, single, escaped, number, digits]) {
+function bytesOfToken([, double, single, escapes, number, digits]) {
     const literal = double ?? single;
     if (literal !== undefined) return bytesOfLiteral(literal);
-    const hex = escaped ? escaped.replace(/\\x/g, "") : (number ?? digits);
+    const hex = escapes ? escapes.replace(/\\x/g, "") : (number ?? digits);
     const even = hex.length % 2 ? `0${hex}` : hex;
     return Uint8Array.from(even.match(/../g), (pair) => Number.parseInt(pair, 16));
 }
 
 function bytesOfLiteral(text) {
     const found = [];
-    for (const [whole, hex, escape] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
+    for (const [whole, hex, letter] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
         if (hex !== undefined) found.push(Number.parseInt(hex, 16));
-        else found.push(escape === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[escape] ?? escape.charCodeAt(0)));
+        else found.push(letter === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[letter] ?? letter.charCodeAt(0)));
     }
     return Uint8Array.from(found);
 }

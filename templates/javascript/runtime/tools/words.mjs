@@ -1,6 +1,6 @@
 // How things of the protocol are shown: numbers, names and places.
 
-import { toHex } from "../mip/bytes.mjs";
+import { readFloat, toHex, writeFloat } from "../mip/bytes.mjs";
 import { bitsOf, enumValue, unitOf } from "../mip/names.mjs";
 
 export function hexByte(number) {
@@ -27,6 +27,39 @@ export function decimal(value, size) {
         if (Object.is(Math.fround(short), value)) return Object.is(short, -0) ? "-0" : String(short);
     }
     return String(Number(value.toPrecision(9)));
+}
+
+/** The shortest literal of a float of this size in programs, with a point or an exponent; undefined if it is not finite. */
+export function decimalLiteral(value, size) {
+    const number = typeof value === "string" ? readFloat(writeFloat(value, size, "value")) : size === 4 ? Math.fround(value) : value;
+    if (!Number.isFinite(number)) return undefined;
+    for (let digits = 1; digits < 18; digits++) {
+        const text = general(number, digits);
+        const read = size === 4 ? Math.fround(Number(text)) : Number(text);
+        if (Object.is(read, number)) return /[.e]/.test(text) ? text : `${text}.0`;
+    }
+    return undefined;
+}
+
+/** A number with so many significant digits at most, with an exponent if it is small or large: %g of printf. */
+function general(number, digits) {
+    const [mantissa, exponent] = number
+        .toExponential(digits - 1)
+        .split("e")
+        .map(String);
+    const power = Number(exponent);
+    const sign = Object.is(number, -0) ? "-" : "";
+    const short = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+    if (power >= -4 && power < digits) return sign + short(number.toFixed(digits - 1 - power));
+    return `${short(mantissa)}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
+}
+
+/** A number of so many bytes in hexadecimal. */
+export function hexLiteral(value, size) {
+    return `0x${BigInt(value)
+        .toString(16)
+        .toUpperCase()
+        .padStart(2 * size, "0")}`;
 }
 
 /** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
@@ -69,7 +102,12 @@ export function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        const text = Array.isArray(value)
+            ? spacedHex(value)
+            : `0x${value
+                  .toString(16)
+                  .toUpperCase()
+                  .padStart(2 * size, "0")}`;
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: `${value}`, unit };

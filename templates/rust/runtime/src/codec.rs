@@ -6,7 +6,7 @@
 use core::fmt;
 
 use crate::bits::Number;
-pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
+pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
 use crate::list::Item;
 use crate::packet::MAX_FIELD_DATA;
 
@@ -19,7 +19,7 @@ pub trait Wire: Sized {
     const FIXED: bool = false;
 
     /// Reads one value.
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid>;
 
     /// Writes the value.
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
@@ -31,7 +31,7 @@ pub trait Union: Sized {
     type Tag;
 
     /// Reads the alternative of a tag.
-    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
+    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
 
     /// Writes it if it is the alternative of this tag.
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
@@ -40,18 +40,19 @@ pub trait Union: Sized {
 /// Items counted by another value. As a [`Wire`], they take the rest of the data.
 pub trait Counted: Wire {
     /// Reads this number of items.
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
 }
 
 /// Reads values from the front of a field's data.
 ///
-/// It remembers what was wrong: errors inside of a field are only kinds, to be small and fast, and
-/// [`Reader::error`] tells the rest.
+/// It remembers what was wrong: inside of a field, errors are only [`Invalid`], to be small and fast,
+/// and [`Reader::error`] tells the rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
     data: &'a [u8],
     length: usize,
     ended: bool,
+    kind: DecodeErrorKind,
     need: usize,
     got: usize,
 }
@@ -61,7 +62,8 @@ impl<'a> Reader<'a> {
     #[inline]
     #[must_use]
     pub const fn new(data: &'a [u8]) -> Self {
-        Self { data, length: data.len(), ended: false, need: 0, got: 0 }
+        let kind = DecodeErrorKind::Truncated;
+        Self { data, length: data.len(), ended: false, kind, need: 0, got: 0 }
     }
 
     /// The number of bytes left.
@@ -72,62 +74,71 @@ impl<'a> Reader<'a> {
     }
 
     /// The last error, as that of a field.
-    #[inline]
     #[must_use]
-    pub const fn error(&self, kind: DecodeErrorKind, field: &'static str) -> DecodeError {
-        DecodeError::new(kind, field, self.need, self.got)
+    #[inline]
+    pub fn error(&self, field: &'static str) -> DecodeError {
+        let (mut need, mut got) = (self.need, self.got);
+        if self.kind == DecodeErrorKind::Truncated {
+            need = need.saturating_add(self.length.saturating_sub(self.data.len()));
+            got = self.length;
+        }
+        DecodeError::new(self.kind, field, need, got)
+    }
+
+    /// Constants distinguish layouts of one descriptor.
+    #[inline]
+    pub(crate) fn is_other_layout(&self) -> bool {
+        self.kind == DecodeErrorKind::Constant
     }
 
     #[inline]
-    pub(crate) fn wrong(
-        &mut self,
-        kind: DecodeErrorKind,
-        need: usize,
-        got: usize,
-    ) -> DecodeErrorKind {
-        (self.need, self.got) = (need, got);
-        kind
+    pub(crate) fn wrong(&mut self, kind: DecodeErrorKind, need: usize, got: usize) -> Invalid {
+        (self.kind, self.need, self.got) = (kind, need, got);
+        Invalid
     }
 
     /// Checks that this number of bytes is left.
-    #[inline]
-    pub fn require(&mut self, count: usize) -> Result<(), DecodeErrorKind> {
+    #[inline(always)]
+    pub fn require(&mut self, count: usize) -> Result<(), Invalid> {
         if count <= self.data.len() {
             return Ok(());
         }
-        let read = self.length.saturating_sub(self.data.len());
-        Err(self.wrong(DecodeErrorKind::Truncated, read.saturating_add(count), self.length))
+        self.need = count; // behind what was read
+        Err(Invalid)
     }
 
+    // These are part of each value, and vanish where there are surely enough bytes. So they are
+    // there once at each place.
+
     /// The next `count` bytes.
-    #[inline]
-    pub fn take(&mut self, count: usize) -> Result<&'a [u8], DecodeErrorKind> {
+    #[inline(always)]
+    pub fn take(&mut self, count: usize) -> Result<&'a [u8], Invalid> {
         self.require(count)?;
         match (self.data.get(..count), self.data.get(count..)) {
             (Some(head), Some(tail)) => {
                 self.data = tail;
                 Ok(head)
             }
-            _ => Err(DecodeErrorKind::Truncated),
+            _ => Err(Invalid),
         }
     }
 
     /// The next `N` bytes.
-    #[inline]
-    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], DecodeErrorKind> {
-        <[u8; N]>::try_from(self.take(N)?).map_err(|_| DecodeErrorKind::Truncated)
+    #[inline(always)]
+    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Invalid> {
+        <[u8; N]>::try_from(self.take(N)?).map_err(|_| Invalid)
     }
 
     /// The next value.
     #[inline]
-    pub fn read<T: Wire>(&mut self) -> Result<T, DecodeErrorKind> {
+    pub fn read<T: Wire>(&mut self) -> Result<T, Invalid> {
         T::decode_from(self)
     }
 
     /// Checks that the next value is this one.
     #[inline]
     #[allow(dead_code)] // few sets have constants
-    pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), DecodeErrorKind> {
+    pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), Invalid> {
         let (need, got) = (value.to_bits(), self.read::<T>()?.to_bits());
         if need == got {
             return Ok(());
@@ -137,13 +148,13 @@ impl<'a> Reader<'a> {
 
     /// The number of items that a counter gives.
     #[inline]
-    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, DecodeErrorKind> {
+    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, Invalid> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
 
     /// The alternative of a tag.
     #[inline]
-    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, DecodeErrorKind> {
+    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, Invalid> {
         U::decode_as(tag, self)
     }
 
@@ -153,7 +164,7 @@ impl<'a> Reader<'a> {
         &mut self,
         required: bool,
         tag: impl Into<Option<U::Tag>>,
-    ) -> Result<Option<U>, DecodeErrorKind> {
+    ) -> Result<Option<U>, Invalid> {
         match tag.into() {
             Some(tag) => self.group(required, |reader| reader.union(tag)),
             None => Ok(None),
@@ -162,7 +173,7 @@ impl<'a> Reader<'a> {
 
     /// A value that is a group by itself.
     #[inline]
-    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, DecodeErrorKind> {
+    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, Invalid> {
         self.group(required, Self::read)
     }
 
@@ -173,8 +184,8 @@ impl<'a> Reader<'a> {
     pub fn group<T>(
         &mut self,
         required: bool,
-        read: impl FnOnce(&mut Self) -> Result<T, DecodeErrorKind>,
-    ) -> Result<Option<T>, DecodeErrorKind> {
+        read: impl FnOnce(&mut Self) -> Result<T, Invalid>,
+    ) -> Result<Option<T>, Invalid> {
         if required {
             return read(self).map(Some);
         }
@@ -186,12 +197,12 @@ impl<'a> Reader<'a> {
         match read(self) {
             // An empty union takes no bytes: same as absent.
             Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
-            Ok(_) | Err(DecodeErrorKind::Truncated) => {
+            Err(Invalid) if self.kind != DecodeErrorKind::Truncated => Err(Invalid),
+            _ => {
                 self.data = mark;
                 self.ended = true;
                 Ok(None)
             }
-            Err(error) => Err(error),
         }
     }
 }
@@ -348,7 +359,7 @@ macro_rules! numbers {
             const FIXED: bool = true;
 
             #[inline]
-            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
                 reader.bytes().map(Self::from_be_bytes)
             }
 
@@ -371,7 +382,7 @@ impl<T: Wire + Item, const N: usize> Wire for [T; N] {
     const FIXED: bool = T::FIXED;
 
     #[inline]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         let mut items = Self::BLANK;
         for item in &mut items {
             *item = reader.read()?;
@@ -461,7 +472,7 @@ impl Wire for Bool {
     const FIXED: bool = true;
 
     #[inline]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         reader.read().map(Self)
     }
 

@@ -74,6 +74,11 @@ pub enum EncodeErrorKind {
     Set,
 }
 
+/// The data of a field are invalid: the [`Reader`](crate::Reader) that was reading them knows why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Invalid;
+
 impl DecodeError {
     /// The same error in a field.
     #[must_use]

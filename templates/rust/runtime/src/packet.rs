@@ -162,25 +162,29 @@ pub struct Fields<'a> {
     payload: &'a [u8],
 }
 
-impl Fields<'_> {
+impl<'a> Fields<'a> {
     pub(crate) const NONE: Self = Self { set: 0, payload: &[] };
+
+    /// The next field, if there is one that is not malformed.
+    #[inline]
+    pub(crate) fn sound(&mut self) -> Option<RawField<'a>> {
+        let length = usize::from(*self.payload.first()?);
+        let [_, descriptor, ref data @ ..] = *self.payload.get(..length)? else { return None };
+        self.payload = self.payload.get(length..)?;
+        Some(RawField { set: self.set, descriptor, data })
+    }
 }
 
 impl<'a> Iterator for Fields<'a> {
     type Item = Result<RawField<'a>, FieldLengthError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let length = usize::from(*self.payload.first()?);
-        match (self.payload.get(..length), self.payload.get(length..)) {
-            (Some([_, descriptor, data @ ..]), Some(rest)) => {
-                self.payload = rest;
-                Some(Ok(RawField { set: self.set, descriptor: *descriptor, data }))
-            }
-            _ => {
-                self.payload = &[];
-                Some(Err(FieldLengthError))
-            }
+        if let Some(field) = self.sound() {
+            return Some(Ok(field));
         }
+        let malformed = !self.payload.is_empty();
+        self.payload = &[];
+        malformed.then_some(Err(FieldLengthError))
     }
 }
 
@@ -327,7 +331,9 @@ impl PacketBuilder {
     fn seal(&mut self) {
         let end = self.end().min(MAX_PACKET);
         let (head, tail) = self.bytes.split_at_mut(end);
-        tail.iter_mut().zip(checksum(head)).for_each(|(byte, sum)| *byte = sum);
+        if let [a, b, ..] = tail {
+            [*a, *b] = checksum(head);
+        }
     }
 }
 

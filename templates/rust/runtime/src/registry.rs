@@ -148,8 +148,14 @@ fn decode<T: Listed>(data: &[u8]) -> Option<Result<(AnyField, usize), DecodeErro
     let mut reader = Reader::new(data);
     match T::decode_from(&mut reader) {
         Ok(value) => Some(Ok((value.into_any(), reader.remaining()))),
-        Err(kind) => Some(Err(reader.error(kind, T::NAME))),
+        Err(_) => Some(Err(wrong(reader, T::NAME))),
     }
+}
+
+/// Once for all types.
+#[cold]
+fn wrong(reader: Reader<'_>, field: &'static str) -> DecodeError {
+    reader.error(field)
 }
 
 struct Describe;

@@ -3,7 +3,7 @@
 use core::{fmt, str};
 
 use crate::codec::{Counted, Reader, Wire, Writer};
-use crate::error::{DecodeErrorKind, EncodeErrorKind};
+use crate::error::{EncodeErrorKind, Invalid};
 use crate::list::{Item, List};
 
 /// Exactly `N` characters.
@@ -139,7 +139,8 @@ impl<const N: usize> Wire for Text<N> {
     const SIZE: usize = N;
     const FIXED: bool = true;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    #[inline(always)]
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         reader.bytes().map(Self)
     }
 
@@ -152,7 +153,7 @@ impl<const N: usize> Wire for Text<N> {
 impl<const N: usize> Wire for VarText<N> {
     const SIZE: usize = N;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         reader.read().map(Self)
     }
 
@@ -162,7 +163,7 @@ impl<const N: usize> Wire for VarText<N> {
 }
 
 impl<const N: usize> Counted for VarText<N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         reader.counted(u64::try_from(count).unwrap_or(u64::MAX)).map(Self)
     }
 }

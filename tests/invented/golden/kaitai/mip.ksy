@@ -130,6 +130,7 @@ types:
             kind::tools_pin: tools_pin
             kind::tools_hello: tools_hello
             kind::tools_readings: tools_readings
+            kind::tools_poll: tools_poll
             kind::tools_settings_response: tools_settings_response
             kind::tools_set_time_fast_response: tools_set_time_fast_response
             kind::tools_set_time_slow_response: tools_set_time_slow_response
@@ -620,6 +621,26 @@ types:
         type: u1
         enum: tools_drive
         doc: What is asked for.
+  tools_poll:
+    -orig-id: tools.poll
+    doc: Poll. Descriptors of a set that a parameter names, and of one that is always the same.
+    seq:
+      - id: descriptor_set
+        type: u1
+        doc: "Data descriptor set. Range: 0x80 to 0xFE."
+      - id: first
+        type: u1
+        doc: "Field descriptor. Default: 0x01."
+      - id: count
+        type: u1
+        valid:
+          expr: _ <= 250 and _ <= _io.size - _io.pos
+        doc: Number of fields.
+      - id: descriptors
+        type: u1
+        repeat: expr
+        repeat-expr: count
+        doc: Field descriptors.
   tools_settings_response:
     -orig-id: tools.settings_response
     doc: "Settings response. "
@@ -1151,6 +1172,11 @@ enums:
       -orig-id: tools.readings
       -role: command
       doc: Readings
+    0x010e:
+      id: tools_poll
+      -orig-id: tools.poll
+      -role: command
+      doc: Poll
     0x0182:
       id: tools_settings_response
       -orig-id: tools.settings_response

@@ -210,6 +210,15 @@ field(0x01, { descriptor = 0x0D, name = "tools.readings", role = "command", titl
     rows = rows("tools.readings", {
       { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What is asked for." },
     }) })
+field(0x01, { descriptor = 0x0E, name = "tools.poll", role = "command", title = "Poll",
+    doc = "Descriptors of a set that a parameter names, and of one that is always the same.", least = 3,
+    always = 4,
+    rows = rows("tools.poll", {
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
+      { kind = "scalar", name = "first", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of Measurements. Default: 0x01." },
+      { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of fields." },
+      { kind = "array", name = "descriptors", counter = "count", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    }) })
 field(0x01, { descriptor = 0x82, name = "tools.settings_response", role = "response", title = "Settings response",
     doc = "", least = 9,
     always = 5,

@@ -17,7 +17,7 @@ use crate::{
 /// A client, and what has happened.
 struct Session {
     client: Client<400>,
-    now: u64,
+    now: u32,
     sent: Vec<Ticket<()>>,
     events: Vec<Json>,
     /// Of a `live` request, and whether it was said that it is closed.
@@ -39,7 +39,8 @@ pub fn play_live(request: &Json) -> Answer {
 fn play_steps(request: &Json, port: Option<Port>) -> Answer {
     let mut parser = Parser::new();
     let (client, sent, events) = (Client::new(), Vec::new(), Vec::new());
-    let mut session = Session { client, now: 0, sent, events, port, told: false };
+    let now = u32::MAX - 1500; // it wraps around soon
+    let mut session = Session { client, now, sent, events, port, told: false };
     for step in request.get("steps").and_then(Json::array).ok_or("request")? {
         let kind = step.get("step").and_then(Json::string).ok_or("request")?;
         match (kind, session.port.is_some()) {
@@ -47,7 +48,7 @@ fn play_steps(request: &Json, port: Option<Port>) -> Answer {
             ("end", _) => session.end(&mut parser),
             ("receive", false) => session.receive(step, &mut parser)?,
             ("time", false) => {
-                session.now += u64::from(milliseconds(step)?);
+                session.now = session.now.wrapping_add(milliseconds(step)?);
                 session.poll(&mut parser);
             }
             ("answers", true) => {

@@ -34,8 +34,8 @@ impl Port {
         Ok(Self { writer: Box::new(file), connection: None, pieces, start, closed: false })
     }
 
-    pub fn milliseconds(&self) -> u64 {
-        self.start.elapsed().as_millis().try_into().unwrap_or(u64::MAX)
+    pub fn milliseconds(&self) -> u32 {
+        self.start.elapsed().as_millis() as u32
     }
 
     pub fn write(&mut self, data: &[u8]) {

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..packet import Packet
-from ..sentences import LONGEST
+from ..sentences import Sentences
 from . import clocks, inputs, scan, show
 from .clocks import CLOCKS, SECOND, dated, stamp
 from .decoding import decoded, name_of, raw_fields
@@ -37,7 +37,7 @@ MOST = 10_000
 
 
 @dataclass
-class _Kind:
+class Kind:
     """A descriptor in packets of a set."""
 
     name: str
@@ -57,7 +57,7 @@ class Report:
     damaged: int = 0
     sentences: int = 0
     sets: dict[int, int] = field(default_factory=dict)
-    fields: dict[tuple[int, int], _Kind] = field(default_factory=dict)
+    fields: dict[tuple[int, int], Kind] = field(default_factory=dict)
     clocks: dict[str, dict[int, Intervals]] = field(
         default_factory=lambda: {clock: {} for clock in CLOCKS}
     )
@@ -78,31 +78,30 @@ class Report:
 
 
 def examine(name: str) -> Report:
-    """Reads a log once."""
+    """Reads a log once: by columns if NumPy is there, else packet by packet."""
     report = Report()
-    run = b""
+    log = inputs.as_columns(name)
+    if log is not None:
+        from . import info_columns
+
+        with log:
+            info_columns.examine(report, log)
+        return report
+    damaged = scan.Damaged()
+    sentences = Sentences()
     for piece in inputs.pieces(name):
         report.size += len(piece.data)
         if piece.packet is None:
             report.skipped += len(piece.data)
-            report.runs += not run
-            run = run + piece.data if len(run) < inputs.CHUNK else _counted(report, run, piece.data)
-            continue
-        run = run and _counted(report, run, b"")
-        _packet(report, piece)
-    _counted(report, run, b"")
+            damaged.feed(piece.data)
+            report.sentences += len(sentences.feed(piece.data))
+        else:
+            damaged.end()
+            _packet(report, piece)
+    damaged.end()
+    report.runs, report.damaged = damaged.runs, damaged.count
     _sum(report)
     return report
-
-
-def _counted(report: Report, run: bytes, more: bytes) -> bytes:
-    """Counts what skipped bytes look like; returns those that precede the next ones."""
-    cut = run.rfind(b"\n") + 1 if more else len(run)
-    if len(run) - cut > LONGEST:
-        cut = len(run)
-    report.damaged += scan.damaged(run[:cut])
-    report.sentences += scan.sentences(run[:cut])
-    return run[cut:] + more
 
 
 def _packet(report: Report, piece: scan.Piece) -> None:
@@ -134,7 +133,7 @@ def _first_of(report: Report, packet: Packet, headers: bytes) -> None:
         report.seen.add((packet.set, headers))
         for raw in raw_fields(packet):
             if (raw.set, raw.descriptor) not in report.fields:
-                report.fields[raw.set, raw.descriptor] = _Kind(name_of(decoded(raw)))
+                report.fields[raw.set, raw.descriptor] = Kind(name_of(decoded(raw)))
 
 
 def _sum(report: Report) -> None:
@@ -303,4 +302,4 @@ def _set_json(report: Report, number: int) -> dict[str, Any]:
     }
 
 
-__all__ = ["Report", "duration", "examine", "hz"]
+__all__ = ["Kind", "Report", "duration", "examine", "hz"]

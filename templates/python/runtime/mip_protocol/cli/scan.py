@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ..packet import Packet
+from ..packet import MAX_PAYLOAD, OVERHEAD, Packet
 from ..parser import Parser
+
+#: Bytes that tell what becomes of a packet that begins with the first of them.
+REACH = MAX_PAYLOAD + OVERHEAD + 1
+_MOST = 1 << 16  # skipped bytes that are kept
 
 
 class Piece(NamedTuple):
@@ -39,26 +43,42 @@ class Scanner:
             self._offset += len(data)
 
 
-def damaged(data: bytes) -> int:
-    """How many packets these skipped bytes seem to have contained, as far as their syncs are
-    complete."""
-    count = at = 0
-    while (at := data.find(b"\x75\x65", at)) >= 0:
-        if len(data) - at > 3 and data[at + 2] != 0:
-            count += 1
-            size = data[at + 3] + 6
-            at += size if data[at + size : at + size + 1] in (b"", b"\x75") else 2
-        else:
-            at += 2
-    return count
+class Damaged:
+    """How many packets the skipped bytes seem to have contained, as far as their syncs are complete."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        #: How many runs of skipped bytes there are.
+        self.runs = 0
+        self._run = bytearray()
+
+    def feed(self, data: bytes | memoryview) -> None:
+        """The next skipped bytes of a run."""
+        self.runs += not self._run
+        self._run += data
+        if len(self._run) > _MOST:
+            del self._run[: self._counted(len(self._run) - REACH)]
+
+    def end(self) -> None:
+        """A packet follows, or nothing."""
+        if self._run:
+            self._counted(len(self._run))
+            self._run.clear()
+
+    def _counted(self, stop: int) -> int:
+        """Counts those that begin before a place; returns where to go on."""
+        run, at = self._run, 0
+        while at < stop:
+            found = run.find(b"\x75\x65", at)
+            if found < 0 or found >= stop:
+                return stop
+            at = found + 2
+            if len(run) - found > 3 and run[found + 2] != 0:
+                self.count += 1
+                size = run[found + 3] + OVERHEAD
+                if bytes(run[found + size : found + size + 1]) in (b"", b"\x75"):
+                    at = found + size
+        return at
 
 
-def sentences(data: bytes) -> int:
-    """How many lines of these skipped bytes look like NMEA sentences."""
-    return sum(
-        line[:1] in (b"$", b"!") and line[1:6].isalnum() and line[-3:-2] == b"*"
-        for line in (part.strip() for part in data.split(b"\n"))
-    )
-
-
-__all__ = ["Piece", "Scanner", "damaged", "sentences"]
+__all__ = ["Damaged", "Piece", "Scanner"]

@@ -100,7 +100,7 @@ class Log:
             piece = self._kept.get(begin)
             if piece is None:
                 found = scan.packets(data, max(0, free - begin), limit, length)
-                piece = Piece(begin, number, found.at, found.end)
+                piece = Piece(begin, limit, number, found.at, found.end)
                 if number < _KEPT:
                     self._kept[begin] = piece
             else:

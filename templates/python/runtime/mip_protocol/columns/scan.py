@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
 from ..packet import MAX_PAYLOAD, OVERHEAD, SYNC
+from . import native
+from .native import Array as Array
 
-Array: TypeAlias = "np.ndarray[Any, Any]"
-
+#: Bytes of a packet before its payload.
+HEADER = OVERHEAD - 2
 #: How far a packet can reach beyond the byte it begins with.
 REACH = MAX_PAYLOAD + OVERHEAD - 1
 #: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
@@ -35,7 +37,7 @@ class Found(NamedTuple):
 
     at: Array  # where they begin
     end: Array
-    groups: list[Group]  # those of which there are many alike
+    groups: list[Group]  # those of which there are many alike; none from compiled code
 
 
 def packets(data: Array, first: int, limit: int, length: int) -> Found:
@@ -43,6 +45,8 @@ def packets(data: Array, first: int, limit: int, length: int) -> Found:
 
     Of `data`, `length` bytes belong to the log; at least 8 more must be there.
     """
+    if native.kernel is not None:
+        return Found(*native.kernel.packets(data, first, limit, length, False), [])
     at, end, key = _forms(data, first, limit, length)
     right, groups = _checked(data, at, end, key)
     if not right.all():
@@ -79,6 +83,8 @@ def without_overlap(at: Array, end: Array) -> Array:
 
 def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
     """Where byte sequences with the form and the checksum of a packet begin and end."""
+    if native.kernel is not None:
+        return native.kernel.packets(data, first, limit, length, True)
     at, end, key = _forms(data, first, limit, length)
     right, _ = _checked(data, at, end, key)
     return at[right], end[right]
@@ -128,6 +134,8 @@ def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Arr
 
 def grouped(data: Array, at: Array) -> list[Group]:
     """The groups of packets that are known already."""
+    if native.kernel is not None:
+        return []
     key = data[at + 2].astype(np.uint16) << 8 | data[at + 3]
     return [
         Group(what, some, gather(data, at[some], (what & 0xFF) + OVERHEAD - 2))

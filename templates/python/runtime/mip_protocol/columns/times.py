@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, cached_property, partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from .. import registry
-from .._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
-from ..field import Field
+from .. import timestamps
+from .._clocks import CLOCKS
+from ..timestamps import MOST, REACH
 from .scan import Array
 
 if TYPE_CHECKING:
     from .column import Column
     from .log import Log
 
-#: How far before a packet without a timestamp the last one of its set is looked for, in bytes. The
-#: same for every way of cutting a file.
-REACH = 1 << 20
-
-_NONE = np.iinfo(np.int64).min  # what NumPy calls NaT
-_LACKING = _NONE + 1
-_UNITS = {"week": 604_800_000_000_000, "s": 1_000_000_000, "ms": 1_000_000, "us": 1000, "ns": 1}
-_MOST = 4e18  # nanoseconds of which two fit into 64 bits
+NONE = np.iinfo(np.int64).min  # what NumPy calls NaT
+_LACKING = NONE + 1
 
 
 class Times(NamedTuple):
@@ -48,7 +42,7 @@ class Stamps:
         self.value = value  # nanoseconds
         self._offset = offset
         #: Is any of them valid?
-        self.some = bool(len(value)) and bool((value != _NONE).any())
+        self.some = bool(len(value)) and bool((value != NONE).any())
 
     @cached_property
     def offset(self) -> Array:
@@ -72,7 +66,7 @@ def of(log: Log, column: Column[Any], clock: str | None) -> Times:
     if len(numbers) == 1 and clock:
         values, own = at(log, numbers[0], clock, column.packet, lambda: column.offset)
         return Times(clock, values.view(dtype(clock)), own)
-    values = np.full(len(column), _NONE, np.int64)
+    values = np.full(len(column), NONE, np.int64)
     own = np.zeros(len(column), bool)
     for number in numbers if clock else ():
         rows = np.flatnonzero(column.set == number)
@@ -101,7 +95,7 @@ def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
             where = np.searchsorted(known.packet, [first, last], side="right") - 1
             if where[0] >= 0:
                 begin, end = (int(value) for value in known.value[where])
-                if begin != _NONE and end > begin:
+                if begin != NONE and end > begin:
                     return (count - 1) / (end - begin) * 1e9
     return None
 
@@ -112,7 +106,9 @@ def at(
     """The times of some packets of a set, in their order, and whether these are their own."""
     known = stamps(log, set, clock)
     if not len(known.packet) or not len(packet):
-        return np.full(len(packet), _NONE, np.int64), np.zeros(len(packet), bool)
+        return np.full(len(packet), NONE, np.int64), np.zeros(len(packet), bool)
+    if np.array_equal(packet, known.packet):  # as in most logs
+        return known.value.copy(), np.ones(len(packet), bool)
     first = int(known.packet[0])
     inside = int(packet[0]) >= first and int(packet[-1]) <= int(known.packet[-1])
     if inside and len(known.by_packet) < 16 * len(packet):
@@ -124,7 +120,7 @@ def at(
     values, own = known.value[where], known.packet[where] == packet
     missing = where < 0
     missing |= offset() - known.offset[where] > REACH
-    values[missing] = _NONE
+    values[missing] = NONE
     own &= where >= 0
     return values, own
 
@@ -137,11 +133,11 @@ def stamps(log: Log, set: int, clock: str) -> Stamps:
 
 
 def _joined(log: Log, set: int, clock: str) -> Stamps:
-    own = _read(log, set, clock)
+    own = read(log, set, clock)
     before = log.before(REACH)
     if before is None:
         return own
-    earlier = _read(before, set, clock)
+    earlier = read(before, set, clock)
     return Stamps(
         np.concatenate((earlier.packet - before.packets, own.packet)),
         np.concatenate((earlier.value, own.value)),
@@ -149,8 +145,10 @@ def _joined(log: Log, set: int, clock: str) -> Stamps:
     )
 
 
-def _read(log: Log, set: int, clock: str) -> Stamps:
-    columns = [column for column in log.columns(_kinds(set, clock), set) if len(column)]
+def read(log: Log, set: int, clock: str) -> Stamps:
+    """The timestamps of a set in a log itself."""
+    kinds = timestamps.kinds(set, clock)
+    columns = [c for c in log.columns(kinds, set) if len(c)] if kinds else []
     packet = _whole([column.packet for column in columns])
     value = _whole([nanoseconds(column, clock) for column in columns])
     if (packet[1:] > packet[:-1]).all():
@@ -166,53 +164,35 @@ def _whole(parts: list[Array]) -> Array:
     return parts[0] if len(parts) == 1 else np.concatenate([np.zeros(0, np.int64), *parts])
 
 
-def _kinds(set: int, clock: str) -> list[type[Field]]:
-    """The types of a set that have the time of a clock."""
-    own = [d for (s, d), c in TIMESTAMPS.items() if c == clock and s in (set, registry.SHARED_SET)]
-    return [kind for d in sorted(dict.fromkeys(own)) for kind in registry.types(set, d)]
-
-
 def nanoseconds(column: Column[Any], clock: str) -> Array:
     """The sum of what a timestamp says in weeks, seconds, nanoseconds; UTC if the clock has a date."""
     total = np.zeros(len(column), np.int64)
     bad = np.zeros(len(column), bool)
     for name, p in column.parameters.items():
-        scale = _UNITS.get(p.units[0]) if len(p.units) == 1 else None
+        scale = timestamps.scale(p)
         if scale is None:
             continue
         values = np.asarray(column[name])
         with np.errstate(all="ignore"):
             if values.dtype.kind == "f":
-                values = np.rint(values * scale)
-                bad |= ~(np.abs(values) < _MOST)
+                values = np.rint(values.astype(np.float64) * scale)
+                bad |= ~(np.abs(values) < MOST)
                 total += values.astype(np.int64)
             else:
-                if len(values) and max(int(values.max()), -int(values.min())) * scale >= _MOST:
-                    bad |= np.abs(values.astype(np.float64)) * scale >= _MOST
+                most = (MOST - 1) // scale  # by whole numbers, as a float would round it
+                if len(values) and (int(values.max()) > most or int(values.min()) < -most):
+                    bad |= (values > most) | (values < -most)
                 total += values.astype(np.int64) * scale
         if p.flags:
             bad |= ~column.valid(name)
     if CLOCKS[clock]:
         total[bad] = 0
         total = utc(total, clock)
-    total[bad] = _NONE
+    total[bad] = NONE
     return total
 
 
 def utc(value: Array, clock: str) -> Array:
     """Nanoseconds of a clock as those since 1970 in UTC; during a leap second the next one begins."""
-    epoch, begins, seconds = _leaps(clock)
-    leap = seconds[np.searchsorted(begins, value, side="right")]
-    return np.asarray(value - leap * 1_000_000_000 + epoch)
-
-
-@cache
-def _leaps(clock: str) -> tuple[int, Array, Array]:
-    """The epoch of a clock since 1970, when leap seconds came, by the clock, and how many there are."""
-    epoch = _date(CLOCKS[clock] or "1970-01-01")
-    begins = [_date(day) - epoch + ahead * 1_000_000_000 for day, ahead in LEAP_SECONDS]
-    return epoch, np.array(begins, np.int64), np.array([0, *(n for _, n in LEAP_SECONDS)], np.int64)
-
-
-def _date(day: str) -> int:
-    return int(np.datetime64(day, "ns").astype(np.int64))
+    begins, shifts = (np.array(numbers, np.int64) for numbers in timestamps.leaps(clock))
+    return np.asarray(value + shifts[np.searchsorted(begins, value, side="right")])

@@ -6,7 +6,8 @@ use core::task::Poll;
 
 use embedded_io_async::{Read, Write};
 
-use super::{Answer, Client, Command, CommandError, Core, DeviceError, RequestError, CHUNK};
+use super::{is_over, Answer, Client, Command, CommandError, Core, DeviceError, RequestError};
+use super::{BACKLOG, CHUNK};
 use crate::client::{Request, Ticket};
 use crate::packet::Packet;
 use crate::parser::Parser;
@@ -112,9 +113,10 @@ where
         self.port.flush().await.map_err(DeviceError::Port)?;
         let mut now_ms = 0;
         while let Some(deadline) = self.core.client.deadline() {
-            let mut sleep = pin!((self.sleep)(deadline.saturating_sub(now_ms) as u32));
+            let (mut backlog, mut sleep) =
+                (BACKLOG, pin!((self.sleep)(deadline.wrapping_sub(now_ms))));
             while self.core.client.pending() > 0 {
-                if !read(&mut self.port, &mut self.core, sleep.as_mut()).await? {
+                if !read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await? {
                     now_ms = deadline;
                     self.core.tick(now_ms);
                     break;
@@ -140,9 +142,9 @@ where
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
         self.core.client.give_up();
         if self.core.data.len() == 0 {
-            let mut sleep = pin!((self.sleep)(wait_ms));
+            let (mut backlog, mut sleep) = (BACKLOG, pin!((self.sleep)(wait_ms)));
             while self.core.data.len() == 0 {
-                if !read(&mut self.port, &mut self.core, sleep.as_mut()).await? {
+                if !read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await? {
                     self.core.look_behind();
                     break;
                 }
@@ -152,24 +154,30 @@ where
     }
 }
 
-/// Reads once; false if the time ran out first.
+/// Reads once; false if the time ran out and no more is to be read.
 async fn read<P: Read, const N: usize, const Q: usize>(
     port: &mut P,
     core: &mut Core<N, Q>,
     mut sleep: Pin<&mut impl Future<Output = ()>>,
+    backlog: &mut u8,
 ) -> Result<bool, DeviceError<P::Error>> {
     let mut chunk = [0; CHUNK];
     let part = core.part(&mut chunk);
-    let (count, over) = {
+    let (count, late) = {
         let mut read = pin!(port.read(part));
-        poll_fn(|context| match read.as_mut().poll(context) {
-            Poll::Ready(count) => {
-                Poll::Ready((Some(count), sleep.as_mut().poll(context).is_ready()))
+        poll_fn(|context| {
+            let count = read.as_mut().poll(context);
+            // It is not asked again when it is over.
+            let late = *backlog < BACKLOG || sleep.as_mut().poll(context).is_ready();
+            match count {
+                Poll::Ready(count) => Poll::Ready((Some(count), late)),
+                Poll::Pending if late => Poll::Ready((None, late)),
+                Poll::Pending => Poll::Pending,
             }
-            Poll::Pending => sleep.as_mut().poll(context).map(|()| (None, true)),
         })
         .await
     };
+    let over = is_over(late, count.is_some(), backlog);
     match count {
         None => Ok(false),
         Some(Ok(0)) if core.look_behind() => Ok(!over),

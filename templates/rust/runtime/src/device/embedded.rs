@@ -14,7 +14,7 @@ pub struct EmbeddedPort<T, F> {
 }
 
 impl<T, F> EmbeddedPort<T, F> {
-    /// A port, and a function that counts milliseconds and never decreases.
+    /// A port, and a function that counts milliseconds, and may wrap around.
     #[must_use]
     pub const fn new(io: T, now_ms: F) -> Self {
         Self { io, now_ms }
@@ -31,7 +31,7 @@ impl<T, F> EmbeddedPort<T, F> {
     }
 }
 
-impl<T: Read + ReadReady + Write, F: FnMut() -> u64> Port for EmbeddedPort<T, F> {
+impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F> {
     type Error = T::Error;
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, T::Error> {
@@ -47,7 +47,7 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u64> Port for EmbeddedPort<T, F>
         self.io.flush()
     }
 
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         (self.now_ms)()
     }
 }

@@ -27,7 +27,8 @@ export function toHex(bytes, between = "") {
 
 /** The bytes of hexadecimal digits without anything between them. */
 export function fromHex(text) {
-    if (!/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text))
+        throw new MipError("hex", "the text is not an even number of hexadecimal digits");
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
@@ -60,14 +61,18 @@ export function readInteger(bytes, signed) {
     }
 }
 
-/** The bytes of a number, a BigInt or a Boolean. */
+/** What a value is, for errors: also what cannot be made a text. */
+export function described(value) {
+    if (typeof value === "string") return JSON.stringify(value);
+    if (Array.isArray(value)) return "an array";
+    return typeof value === "object" && value !== null ? "an object" : String(value);
+}
+
+/** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
 export function writeInteger(value, size, signed, what) {
-    let number;
-    try {
-        number = BigInt(value);
-    } catch {
-        throw new MipError("range", `${what}: ${value} is not a whole number`);
-    }
+    if (typeof value !== "bigint" && !Number.isInteger(value))
+        throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
+    let number = BigInt(value);
     const width = BigInt(8 * size);
     const least = signed ? -(1n << (width - 1n)) : 0n;
     if (number < least || number >= least + (1n << width)) {
@@ -100,11 +105,14 @@ export function floatBits(bytes) {
 export function writeFloat(value, size, what) {
     if (typeof value === "string") {
         if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
-            throw new MipError("range", `${what}: "${value}" is not 0x and ${2 * size} hexadecimal digits`);
+            throw new MipError("range", `${what}: ${described(value)} is neither a number nor 0x and ${2 * size} hexadecimal digits`);
         }
         return fromHex(value.slice(2));
     }
-    if (typeof value !== "number") throw new MipError("range", `${what}: ${value} is not a number`);
+    if (typeof value !== "number") throw new MipError("range", `${what}: ${described(value)} is not a number`);
+    if (size === 4 && Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
+        throw new MipError("range", `${what}: ${value} does not fit in a float of 4 bytes`);
+    }
     const view = new DataView(new ArrayBuffer(size));
     if (Number.isNaN(value)) {
         view.setUint16(0, size === 4 ? 0x7fc0 : 0x7ff8);
@@ -122,9 +130,13 @@ export function readText(bytes) {
 }
 
 export function writeText(text, what) {
+    if (typeof text !== "string") throw new MipError("range", `${what}: ${described(text)} is not a text`);
     return Uint8Array.from(text, (character) => {
         const code = character.codePointAt(0);
-        if (code > 0xff) throw new MipError("range", `${what}: "${character}" is not a character of Latin-1`);
+        if (code > 0xff) {
+            const shown = /[\ud800-\udfff]/u.test(character) ? "half of a character" : `"${character}"`;
+            throw new MipError("range", `${what}: ${shown} (U+${code.toString(16).toUpperCase()}) is not a character of Latin-1`);
+        }
         return code;
     });
 }

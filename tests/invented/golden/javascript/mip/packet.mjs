@@ -1,6 +1,6 @@
 // Packets: their frame, their fields, and building them.
 
-import { MipError, checksum, concatenated, fromHex, sameBytes, toHex } from "./bytes.mjs";
+import { MipError, checksum, concatenated, described, fromHex, sameBytes, toHex } from "./bytes.mjs";
 import { decodeData, encodeData } from "./codec.mjs";
 import { SHARED_SET } from "./protocol.mjs";
 
@@ -96,8 +96,12 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`. Raises a MipError if something does not fit.
  */
 export function buildPacket(protocol, set, fields) {
-    if (!(set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${set}`);
+    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
+        throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     const parts = fields.flatMap((entry) => {
+        if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
+            throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
+        }
         const data = entry.raw === undefined ? dataOf(protocol, set, entry) : bytesOf(entry.raw);
         if (data.length > protocol.maxFieldData) {
             throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);

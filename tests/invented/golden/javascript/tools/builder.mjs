@@ -1,69 +1,260 @@
-// The builder: choose a command or a field, fill it in, and see its bytes and the answer.
+// The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
-import { MipError } from "../mip/bytes.mjs";
-import { bitsNumber, maskOf, namedType, parameterOf, unitOf } from "../mip/names.mjs";
-import { answerOf, initialValue, initialValues, packetOf, requiredOperations, setsOf, sourceOf } from "./build.mjs";
+import { MipError, toHex } from "../mip/bytes.mjs";
+import { bitsNumber, enumValue, maskOf, namedType, parameterOf, unitOf } from "../mip/names.mjs";
+import { Packet } from "../mip/packet.mjs";
+import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
+import {
+    allOperations,
+    answerOf,
+    counted,
+    countOptional,
+    differencesOn,
+    initialValue,
+    initialValues,
+    optionalGroups,
+    packetOf,
+    setsOf,
+    shownOperations,
+    sourceOf,
+    supportOn,
+    typicalValues,
+} from "./build.mjs";
+import { LANGUAGES, programOf } from "./code.mjs";
 import { element, links } from "./dom.mjs";
-import { descriptorOf, hexByte, spacedHex } from "./words.mjs";
+import { bytesOfText } from "./input.mjs";
+import { decimal, descriptorOf, hexByte, hexLiteral, spacedHex } from "./words.mjs";
 
-const LANGUAGES = [
-    ["c", "C"],
-    ["python", "Python"],
-    ["rust", "Rust"],
-];
-
-/** Fills an element with the builder. `options` are those of `links`, and `field`, the name of the one to begin with. */
+/**
+ * Fills an element with the builder. `options` are those of `links`, and `field`, what to begin with: the name of a field,
+ * or a packet in hexadecimal, perhaps behind the id of a device. If it is given, the fragment of the address follows what
+ * is built.
+ */
 export function builder(root, protocol, options = {}) {
     const to = links(options);
-    const groups = protocol.model.sets.map((set) => fieldGroup(`${set.title} (${hexByte(set.number)})`, set.fields.map((name) => protocol.field(name))));
-    const choice = element("select", { id: "mip-field" }, groups, fieldGroup("All command sets", [protocol.acknowledge]));
-    const form = element("div", { class: "mip-form" });
+    const state = { device: undefined, set: undefined, entries: [] };
+    const deviceChoice = element(
+        "select",
+        { id: "mip-device" },
+        element("option", { value: "" }, "any device"),
+        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
+    );
+    const choice = element("select", { id: "mip-field" });
+    const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
-    let state;
 
-    const show = () => output.replaceChildren(...builtPacket(protocol, state, to));
-    const layOut = () => {
-        form.replaceChildren(...inputs(protocol, state, { changed: show, reshaped: () => (layOut(), show()) }, choose));
+    const show = () => {
+        const packet = built(protocol, state);
+        output.replaceChildren(...report(protocol, state, packet, to));
+        if (options.field !== undefined && packet.bytes) {
+            const text = [state.device?.id, toHex(packet.bytes).toUpperCase()].filter(Boolean).join(" ");
+            history.replaceState(history.state, "", `#${encodeURIComponent(text)}`);
+        }
     };
-    const choose = (field, selector = protocol.functions.keys().next().value) => {
-        const function_ = field.calls?.some((call) => call.function === protocol.functions.get(selector)?.name)
-            ? selector
-            : [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
-        state = { field, set: setsOf(protocol, field)[0], values: initialValues(protocol, field, function_) };
+    const layOut = () => {
+        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped }, to), adder());
+    };
+    const reshaped = () => {
         layOut();
         show();
     };
-    choice.addEventListener("input", () => choose(protocol.field(choice.value)));
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice), form, output);
-    const start = options.field && protocol.fields.has(options.field) ? options.field : choice.value;
-    choice.value = start;
-    choose(protocol.field(start));
-    return { choose: (name, selector) => ((choice.value = name), choose(protocol.field(name), selector)), state: () => state };
+    const listFields = () => {
+        const groups = protocol.model.sets.map((set) => [
+            `${set.title} (${hexByte(set.number)})`,
+            set.fields.map((name) => protocol.field(name)),
+        ]);
+        groups.push(["All command sets", [protocol.acknowledge]]);
+        const chosen = state.entries[0]?.field;
+        const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
+        choice.replaceChildren(
+            ...groups
+                .map(offered)
+                .filter(([, fields]) => fields.length)
+                .map(([label, fields]) => fieldGroup(label, fields)),
+        );
+        if (chosen) choice.value = chosen.name;
+    };
+    const adder = () => {
+        const fields = beside(protocol, state).filter((one) => supportOn(protocol, state.device, one));
+        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), fields.map(fieldOption));
+        add.addEventListener("input", () => {
+            if (!add.value) return;
+            state.entries.push(entryOf(protocol, protocol.field(add.value)));
+            layOut();
+            show();
+        });
+        return element("p", { class: "mip-adder" }, element("label", { for: "mip-add" }, "Add another field "), add);
+    };
+    const begin = (entries, set) => {
+        state.entries = entries;
+        state.set = set ?? setsOf(protocol, entries[0].field)[0];
+        listFields();
+        layOut();
+        show();
+    };
+    const choose = (name, selector) => begin([entryOf(protocol, protocol.field(name), selector)]);
+
+    choice.addEventListener("input", () => choose(choice.value));
+    deviceChoice.addEventListener("input", () => {
+        state.device = protocol.model.devices.find((one) => one.id === deviceChoice.value);
+        listFields();
+        layOut();
+        show();
+    });
+    root.replaceChildren(
+        element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
+        element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
+        forms,
+        output,
+    );
+    const start = startOf(protocol, options.field ?? "");
+    state.device = start.device;
+    deviceChoice.value = start.device?.id ?? "";
+    if (start.entries) begin(start.entries, start.set);
+    else choose(start.name ?? protocol.model.sets[0].fields[0]);
+    return { choose, state: () => state };
+}
+
+/** What a fragment says: a device, and a field by its name or a packet. */
+function startOf(protocol, text) {
+    const device = protocol.model.devices.find((one) => text === one.id || text.startsWith(`${one.id} `));
+    const rest = device ? text.slice(device.id.length).trim() : text;
+    if (protocol.fields.has(rest)) return { device, name: rest };
+    try {
+        const packet = Packet.from(protocol, bytesOfText(rest).bytes);
+        const entries = packet.decode().map(({ field, values }) => field && values && { field, values });
+        if (entries.length && entries.every(Boolean)) return { device, entries, set: packet.set };
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+    }
+    return { device };
+}
+
+function entryOf(protocol, field, selector) {
+    const known = (value) => field.calls?.some((call) => call.function === protocol.functions.get(Number(value))?.name);
+    const first = [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
+    return { field, values: initialValues(protocol, field, field.calls ? (known(selector) ? Number(selector) : first) : undefined) };
+}
+
+/** The fields that can be in the same packet. */
+function beside(protocol, { set }) {
+    const names = [protocol.sets.get(set), set >= FIRST_DATA_SET && protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []);
+    return [...names.map((name) => protocol.field(name)), ...(set < FIRST_DATA_SET ? [protocol.acknowledge] : [])];
 }
 
 function fieldGroup(label, fields) {
-    const words = (field) => `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
-    return element("optgroup", { label }, fields.map((field) => element("option", { value: field.name }, words(field))));
+    return element("optgroup", { label }, fields.map(fieldOption));
+}
+
+function fieldOption(field) {
+    const words = `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
+    return element("option", { value: field.name }, words);
 }
 
 // ------------------------------------------------------------------------------------------------ inputs
 
-function inputs(protocol, state, events, choose) {
-    const { field, values } = state;
-    const operations = requiredOperations(protocol, field, values.function);
+/** A form for each field; of several, they can be moved and removed. */
+function entryForms(protocol, state, events, to) {
+    return state.entries.map((entry, i) => {
+        const form = element("div", { class: "mip-form" }, inputs(protocol, state, entry, events));
+        if (state.entries.length === 1) return form;
+        const move = (by) => () => {
+            state.entries.splice(i + by, 0, ...state.entries.splice(i, 1));
+            events.reshaped();
+        };
+        const remove = () => {
+            state.entries.splice(i, 1);
+            events.reshaped();
+        };
+        const button = (words, act, disabled) =>
+            element("button", { type: "button", onclick: act, disabled, "aria-label": `${words}: field ${i + 1}` }, words);
+        return element(
+            "section",
+            { class: "mip-entry", "data-field": entry.field.name },
+            element("h2", {}, `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field)}`),
+            element(
+                "p",
+                {},
+                button("Up", move(-1), i === 0),
+                " ",
+                button("Down", move(1), i === state.entries.length - 1),
+                " ",
+                button("Remove", remove),
+            ),
+            form,
+        );
+    });
+}
+
+function inputs(protocol, state, entry, events) {
+    const { field } = entry;
     const sets = setsOf(protocol, field);
-    const parts = [element("p", {}, field.description)];
-    if (sets.length > 1) {
+    const parts = [element("p", {}, field.description), ...deviceNotes(protocol, state.device, field)];
+    if (sets.length > 1 && state.entries.length === 1) {
         const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
-        parts.push(labelled("set", select(options, state.set, (number) => ((state.set = number), events.changed()))));
+        const change = (number) => {
+            state.set = number;
+            events.reshaped();
+        };
+        parts.push(labelled("set", select(options, state.set, change)));
     }
+    const context = { protocol, device: state.device?.id, record: field, values: entry.values, events };
     if (field.calls) {
         const functions = [...protocol.functions.values()].filter((one) => field.calls.some((call) => call.function === one.name));
         const options = functions.map((one) => [one.value, `${one.name}: ${one.description}`]);
-        parts.push(labelled("function", select(options, values.function, (selector) => choose(field, selector))));
+        const change = (selector) => {
+            const kept = Object.entries(entry.values).filter(([name]) => name !== "function");
+            const fresh = initialValues(protocol, field, selector);
+            for (const [name, value] of kept) if (Object.hasOwn(fresh, name)) fresh[name] = value;
+            entry.values = fresh;
+            events.reshaped();
+        };
+        parts.push(labelled("function", select(options, entry.values.function, change)));
     }
-    const shown = operations.filter((op) => !(field.calls && op.member === "function"));
-    return [...parts, ...shown.flatMap((op) => input(protocol, op, field, values, events))];
+    const shown = shownOperations(protocol, field, entry.values).filter((op) => !(field.calls && op.member === "function"));
+    return [...parts, ...shown.flatMap((op) => input(context, op)), ...optionalButtons(protocol, entry, events)];
+}
+
+/** What the chosen device takes of a field, and what differs there. */
+function deviceNotes(protocol, device, field) {
+    if (!device) return [];
+    const found = differencesOn(protocol, device, field);
+    if (!found.length) return [];
+    return [
+        element(
+            "ul",
+            { class: "mip-device-notes" },
+            found.map((text) => element("li", {}, `${device.title}: ${text}`)),
+        ),
+    ];
+}
+
+/** Parameters that no function requires come one after another, and go the other way round. */
+function optionalButtons(protocol, entry, events) {
+    const { field, values } = entry;
+    const groups = optionalGroups(protocol, field, values.function);
+    const present = countOptional(groups, values);
+    const names = (group) =>
+        group.body
+            .filter(({ kind }) => kind !== "counter")
+            .map((op) => op.member)
+            .join(", ");
+    const add = () => {
+        const typical = typicalValues(protocol, field, values.function, true);
+        for (const op of groups[present].body) values[op.member] = typical[op.member] ?? initialValue(protocol, op, field, values);
+        events.reshaped();
+    };
+    const leaveOut = () => {
+        for (const op of groups[present - 1].body) delete values[op.member];
+        events.reshaped();
+    };
+    const buttons = [
+        present < groups.length &&
+            element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
+        present > 0 &&
+            element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
+    ].filter(Boolean);
+    return buttons.length ? [element("p", {}, buttons)] : [];
 }
 
 let lastInput = 0; // for ids
@@ -74,21 +265,28 @@ function labelled(words, control, ...behind) {
 }
 
 function select(options, value, set) {
-    const control = element("select", {}, options.map(([number, words]) => element("option", { value: number, selected: number === value }, words)));
+    const known = options.map(([number, words]) => element("option", { value: number, selected: number === Number(value) }, words));
+    const control = element("select", {}, known);
     control.addEventListener("input", () => set(Number(control.value)));
     return control;
 }
 
-/** The inputs of one operation; they change `values`. */
-function input(protocol, op, record, values, events) {
+/** The inputs of one operation; they change `values` of the context. */
+function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
+    const { protocol, record, values, events } = context;
     const parameter = parameterOf(record, op.member) ?? { name: op.member };
-    const [name, set] = [op.member, (value) => ((values[op.member] = value), events.changed())];
+    const name = op.member;
+    const set = (value) => {
+        values[name] = value;
+        events.changed();
+    };
     const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
     const note = hint ? [" ", element("small", {}, hint)] : [];
+    const inside = (struct, inner) => ({ ...context, record: struct, values: inner, outer: { parameter, values } });
     switch (op.kind) {
         case "scalar":
-            return [scalarInput(protocol, op, parameter, record, values, events, note)];
+            return [scalarInput(context, op, parameter, note)];
         case "bits":
             return [bitsInput(name, protocol.type(op.type), values[name], (number) => set(littleEndian(number, op.size)))];
         case "text": {
@@ -96,39 +294,115 @@ function input(protocol, op, record, values, events) {
             control.addEventListener("input", () => set(control.value.padEnd(op.count ?? 0)));
             return [labelled(name, control, note)];
         }
-        case "struct":
-            return [group(name, hint, protocol.type(op.struct).operations.flatMap((part) => input(protocol, part, protocol.type(op.struct), values[name], events)))];
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            return [
+                group(
+                    name,
+                    hint,
+                    struct.operations.flatMap((part) => input(inside(struct, values[name]), part)),
+                ),
+            ];
+        }
         case "switch": {
             const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
-            return selected ? [group(name, hint, input(protocol, selected, record, values[name], events))] : [];
+            return selected ? [group(name, hint, input({ ...context, values: values[name] }, selected))] : [];
         }
         default:
-            return [arrayInput(protocol, op, parameter, values, events, hint)];
+            return [arrayInput(context, op, parameter, hint)];
     }
 }
 
-function scalarInput(protocol, op, parameter, record, values, events, note) {
+function scalarInput(context, op, parameter, note) {
+    const { protocol, record, values, events, device } = context;
     const name = op.member;
-    const type = namedType(protocol, parameter, values);
-    const { kind } = protocol.scalar(op.scalar);
-    const tags = record.parameters.some((one) => one.tag === name || one.variants?.some((variant) => variant.by === name));
+    const type = namedType(protocol, parameter, values, device);
+    const { kind, size } = protocol.scalar(op.scalar);
+    const shapes = record.parameters.some((one) =>
+        [one.tag, one.fields_of, ...(one.variants ?? []).map((variant) => variant.by)].includes(name),
+    );
     const set = (value) => {
         values[name] = value;
-        if (!tags) return events.changed();
+        if (!shapes) return events.changed();
         for (const union of unionsOf(record, name)) values[union.member] = initialValue(protocol, union, record, values);
         events.reshaped();
     };
-    if (type?.kind === "enum") {
-        const options = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
-        return labelled(name, select(options, Number(values[name]), set), note);
-    }
+    if (type?.kind === "enum") return labelled(name, ...enumInput(type, values[name], set), note);
     if (type?.kind === "bitfield") return bitsInput(name, type, values[name], set);
     if (kind === "bool") {
         const control = element("input", { type: "checkbox", checked: Boolean(values[name]) });
         control.addEventListener("input", () => set(control.checked ? 1 : 0));
         return labelled(name, control, note);
     }
-    return labelled(name, numberInput(values[name], kind, set), note);
+    if (!parameter.shown) return labelled(name, numberInput(values[name], kind, size, set), note);
+    return labelled(name, ...hexInput(context, parameter, values[name], size, set), note);
+}
+
+/** The names of an enumeration, and any other number: enumerations are open. */
+function enumInput(type, value, set) {
+    const known = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
+    const other = enumValue(type, value) ? undefined : value;
+    const control = element(
+        "select",
+        {},
+        [...known, ["other", "another number"]].map(([number, words]) =>
+            element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
+        ),
+    );
+    const number = element("input", {
+        value: String(other ?? ""),
+        hidden: other === undefined,
+        "aria-label": "another number",
+        spellcheck: "false",
+    });
+    control.addEventListener("input", () => {
+        number.hidden = control.value !== "other";
+        set(number.hidden ? Number(control.value) : numberOfText(number.value, "unsigned"));
+    });
+    number.addEventListener("input", () => set(numberOfText(number.value, "unsigned")));
+    return [control, " ", number];
+}
+
+let lastList = 0; // for ids
+
+/** A number that people know in hexadecimal, with the sets or fields to choose from, and what it means. */
+function hexInput(context, parameter, value, size, set) {
+    const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
+    const choices = choicesOf(context, parameter);
+    const meaning = element("small", { class: "mip-meant" }, choices.get(Number(value)) ?? "");
+    control.addEventListener("input", () => {
+        const number = numberOfText(control.value, "unsigned");
+        meaning.textContent = choices.get(Number(number)) ?? "";
+        set(number);
+    });
+    if (!choices.size) return [control, meaning];
+    const list = element(
+        "datalist",
+        { id: `mip-list-${++lastList}` },
+        [...choices].map(([number, words]) => element("option", { value: hexOf(number, size) }, words)),
+    );
+    control.setAttribute("list", list.id);
+    return [control, list, " ", meaning];
+}
+
+function hexOf(value, size) {
+    return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
+}
+
+/** Number -> title of the data sets, or of the fields of the set that a parameter refers to. */
+function choicesOf({ protocol, values, outer }, parameter) {
+    if (parameter.shown === "set") {
+        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
+        return new Map(sets.map((one) => [one.number, one.title]));
+    }
+    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
+    if (parameter.shown !== "field" || !where) return new Map();
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
+    if (set?.kind !== "data") return new Map();
+    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
+    return new Map(fields.map((field) => [field.descriptor, field.title]));
 }
 
 /** The switches of a record that a parameter selects. */
@@ -136,8 +410,9 @@ function unionsOf(record, tag) {
     return record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op])).filter((op) => op.kind === "switch" && op.tag === tag);
 }
 
-function numberInput(value, kind, set) {
-    const control = element("input", { value: String(value), inputmode: kind === "float" ? "decimal" : "text", spellcheck: "false" });
+function numberInput(value, kind, size, set) {
+    const text = kind === "float" && typeof value === "number" ? decimal(value, size) : String(value);
+    const control = element("input", { value: text, inputmode: kind === "float" ? "decimal" : "text", spellcheck: "false" });
     control.addEventListener("input", () => set(numberOfText(control.value, kind)));
     return control;
 }
@@ -145,12 +420,20 @@ function numberInput(value, kind, set) {
 /** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
 export function numberOfText(text, kind) {
     const trimmed = text.trim();
-    if (kind === "float") return /^0x/i.test(trimmed) ? trimmed : trimmed === "" ? trimmed : Number(trimmed);
+    if (kind === "float") return floatOfText(trimmed);
     if (/^-?(\d+|0x[0-9a-f]+)$/i.test(trimmed)) {
         const number = trimmed.startsWith("-") ? -BigInt(trimmed.slice(1)) : BigInt(trimmed);
         return Number.isSafeInteger(Number(number)) ? Number(number) : number;
     }
-    return trimmed || NaN;
+    return trimmed;
+}
+
+/** What is no number, or too large, stays a text, which is refused when it is encoded. */
+function floatOfText(text) {
+    const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
+    if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
+    const number = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : text;
 }
 
 /** The whole number, and an input for each name in it. */
@@ -199,9 +482,10 @@ function littleEndian(number, size) {
 }
 
 /** Vectors and arrays: their elements; those of an array that is counted can be added and removed. */
-function arrayInput(protocol, op, parameter, values, events, hint) {
+function arrayInput(context, op, parameter, hint) {
+    const { protocol, values, events } = context;
     const items = values[op.member];
-    const inner = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
+    const record = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
     const names = protocol.types.get(op.vector)?.elements;
     const rows = items.map((_, i) => {
         const holder = {
@@ -212,15 +496,19 @@ function arrayInput(protocol, op, parameter, values, events, hint) {
                 items[i] = value;
             },
         };
-        const unit = { ...inner.parameters[0], description: "", units: [unitOf(parameter, i)] };
-        const [control] = input(protocol, op.item, { ...inner, parameters: [unit] }, holder, events);
+        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
+        if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
+        const [control] = input(
+            { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },
+            op.item,
+        );
         const label = control.querySelector(":scope > label, :scope > legend");
         label.textContent = `${names?.[i] ?? `${op.member}[${i}]`} `;
         return control;
     });
     if (op.count !== undefined) return group(op.member, hint, rows);
     const add = () => {
-        items.push(initialValue(protocol, op.item, inner, {}));
+        items.push(items.length ? structuredClone(items.at(-1)) : initialValue(protocol, op.item, record, {}));
         events.reshaped();
     };
     const remove = () => {
@@ -243,31 +531,86 @@ function group(name, hint, controls) {
 
 // ------------------------------------------------------------------------------------------------ result
 
-function builtPacket(protocol, { field, set, values }, to) {
-    let packet;
+/** The packet, or the error that says why there is none. */
+function built(protocol, { set, entries }) {
     try {
-        packet = packetOf(protocol, field, set, values);
+        return packetOf(protocol, set, entries);
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
-        return [element("p", { class: "mip-wrong" }, `${error.message}.`)];
+        return { error };
     }
-    const sources = LANGUAGES.map(([key, title]) => [element("dt", {}, title), element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key)))]);
+}
+
+function report(protocol, { entries }, packet, to) {
+    if (packet.error) return [element("p", { class: "mip-wrong" }, `${packet.error.message}.`)];
+    const sources = LANGUAGES.map(([key, title]) => [
+        element("dt", {}, title),
+        element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
+    ]);
+    const title =
+        entries.length === 1
+            ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`]
+            : [`A packet of ${entries.length} fields`];
     return [
-        element("h2", {}, to.field(field), ` ${descriptorOf(field)}`),
+        element("h2", {}, ...title),
         element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
         element("p", {}, `${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
-        element("h3", {}, "As source code"),
+        ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
+        element("h3", {}, "The packet in source code"),
         element("dl", { class: "mip-bytes" }, sources),
-        ...(field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : []),
     ];
+}
+
+/** The programs of a field, and what it is answered with. */
+function entryReport(protocol, { field, values }, several, to) {
+    const heading = several ? [element("h2", {}, to.field(field))] : [];
+    const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
+    return [...heading, ...programs(protocol, field, values), ...answer];
+}
+
+function programs(protocol, field, values) {
+    if (field.role === "response") return [];
+    const shown = LANGUAGES.map(([key, title]) => {
+        const text = programText(protocol, key, field, values);
+        const code = element("pre", {}, element("code", { "data-program": key }, text));
+        return element("details", { open: key === "python" }, element("summary", {}, title), code);
+    });
+    const given =
+        field.role === "command"
+            ? "Each has a `device` that is open."
+            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+    return [
+        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("p", {}, given.replaceAll("`", "")),
+        ...shown,
+    ];
+}
+
+function programText(protocol, language, field, values) {
+    try {
+        return programOf(protocol, language, field, [counted(protocol, allOperations(field), values)]);
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return `${error.message}.`;
+    }
 }
 
 function answerReport(protocol, field, values, to) {
     const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
     const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
     if (silent) return [element("h3", {}, "Answer"), element("p", { class: "mip-answer" }, silent)];
-    const listed = responses.map(({ field: response, when }) =>
-        element("li", { "data-field": response.name }, to.field(response), ` ${descriptorOf(response)}, ${sizeText(response)}`, when && `, if ${when}`),
+    const listed = responses.map(({ field: response, when, packet }) =>
+        element(
+            "li",
+            { "data-field": response.name },
+            to.field(response),
+            ` ${descriptorOf(response)}, ${sizeText(response)}`,
+            when && `, if ${when}`,
+            element("br", {}),
+            "for example ",
+            element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
+            layoutTable(response),
+        ),
     );
     return [
         element("h3", {}, "Answer"),
@@ -282,6 +625,31 @@ function answerReport(protocol, field, values, to) {
         listed.length > 0 && unless && element("p", {}, unless),
         element("p", {}, "A refusal is an acknowledge with another code, without a response."),
     ].filter(Boolean);
+}
+
+/** The parameters of a response, in order. */
+function layoutTable(response) {
+    const rows = response.parameters.map((parameter) => {
+        const many = parameter.length === undefined ? "" : `[${parameter.length}]`;
+        const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
+        return element(
+            "tr",
+            {},
+            cells.map((cell) => element("td", {}, cell)),
+        );
+    });
+    if (!rows.length) return "";
+    const heading = element(
+        "tr",
+        {},
+        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
+    );
+    return element(
+        "details",
+        {},
+        element("summary", {}, "Layout"),
+        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
+    );
 }
 
 function sizeText({ min_size: least, max_size: most }) {

@@ -90,7 +90,16 @@ function entryOf(protocol, field, commands) {
     const keywords = field.keywords ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
-    const names = [field.name, name, field.title, ...also, ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]), ...keywords, ...symbols, ...short];
+    const names = [
+        field.name,
+        name,
+        field.title,
+        ...also,
+        ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...keywords,
+        ...symbols,
+        ...short,
+    ];
     const types = field.parameters.flatMap((parameter) => partsOf(protocol, parameter));
     const sections = field.sources.map((source) => source.section);
     const asked = commands.get(field.name);

@@ -38,7 +38,8 @@ export function portsFor(device, baud) {
 export function streamsOf(protocol, device) {
     const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
-    const fieldsOf = (set) => (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+    const fieldsOf = (set) =>
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)

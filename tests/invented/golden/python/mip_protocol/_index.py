@@ -27,6 +27,7 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
     "tools.pin": ("tools", "Pin", "command", "Pin", ()),
     "tools.hello": ("tools", "Hello", "command", "Hello", ("keep_alive",)),
     "tools.readings": ("tools", "Readings", "command", "Readings", ()),
+    "tools.poll": ("tools", "Poll", "command", "Poll", ()),
     "tools.settings_response": ("tools", "SettingsResponse", "response", "Settings response", ()),
     "tools.set_time_fast_response": (
         "tools",

@@ -20,12 +20,24 @@ from typing import Any, TypeVar, cast, overload
 from .baud import CHANGE, LISTEN, USUAL, Ping
 from .client import Outcome
 from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
-from .device import R1, R2, R3, R4, Callback, F, connect, lost
+from .device import CLOSED_MEANWHILE, R1, R2, R3, R4, Callback, F, connect, lost
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, R
-from .port import AT_ONCE, CONNECT_TIMEOUT, READ_TIMEOUT, Reader, address, as_port, write_all
+from .port import (
+    AT_ONCE,
+    CONNECT_TIMEOUT,
+    READ_TIMEOUT,
+    WRITE_TIMEOUT,
+    Reader,
+    address,
+    as_port,
+    write_all,
+)
 
 T = TypeVar("T")
+#: Seconds until what was written is given up when a connection is closed.
+CLOSE_TIMEOUT = 1.0
+
 OnData = Callable[[bytes, float, float], object]
 OnEnd = Callable[["BaseException | None"], object]
 
@@ -86,22 +98,23 @@ class Device:
         """Like `device.Device.reopen`."""
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
-        link = self._link
+        link, closes = self._link, self._closes
         async with self._opening:
             if self._link is link:  # else another task has done it meanwhile
-                await self._open_again(self._again, timeout)
+                await self._open_again(self._again, timeout, closes)
 
     async def _open_again(
-        self, again: Callable[[], Coroutine[Any, Any, Any]], timeout: float
+        self, again: Callable[[], Coroutine[Any, Any, Any]], timeout: float, closes: int
     ) -> None:
         await self._link.stop()
-        closes = self._closes
         end = time.monotonic() + timeout
         while True:
             try:
                 port = await again()
                 break
             except OSError:
+                if self._closes != closes:
+                    raise PortClosed(CLOSED_MEANWHILE) from None
                 if time.monotonic() >= end:
                     raise
                 await asyncio.sleep(0.1)
@@ -110,7 +123,7 @@ class Device:
         self._start(port)
         if self._closes != closes:
             await self._link.stop()
-            raise PortClosed("the device has been closed while it was opened again")
+            raise PortClosed(CLOSED_MEANWHILE)
         self._end, self._closed = None, False
 
     # ----------------------------------------------------------------- what is known
@@ -414,6 +427,8 @@ class Streams:
     ) -> None:
         self._reader, self._writer = port
         self._loop = loop
+        # So that a write ends when the system has the bytes, as at other ports.
+        self._writer.transport.set_write_buffer_limits(0)
 
     def start(self, on_data: OnData, on_end: OnEnd) -> None:
         self._task = self._loop.create_task(self._run(on_data, on_end))
@@ -438,12 +453,19 @@ class Streams:
 
     async def write(self, data: bytes) -> None:
         self._writer.write(data)
-        await self._writer.drain()
+        try:
+            await asyncio.wait_for(self._writer.drain(), WRITE_TIMEOUT)
+        except asyncio.TimeoutError:
+            raise TimeoutError("the other end takes nothing") from None
 
     async def stop(self) -> None:
         self._task.cancel()
         self._writer.close()
-        await asyncio.gather(self._task, self._writer.wait_closed(), return_exceptions=True)
+        ends = asyncio.gather(self._task, self._writer.wait_closed(), return_exceptions=True)
+        try:
+            await asyncio.wait_for(ends, CLOSE_TIMEOUT)
+        except asyncio.TimeoutError:  # what was written cannot go out
+            self._writer.transport.abort()
 
 
 class open_port:  # noqa: N801  # it is called like the function of the other module

@@ -2046,6 +2046,62 @@ class Readings(Command[ReadingsResponse]):
         return codec.finished(out)
 
 
+_POLL_0 = codec.Block("BBB", "descriptor_set", "first", "count")
+
+
+class Poll(Command[None]):
+    """Poll (0x01,0x0E).
+
+    Descriptors of a set that a parameter names, and of one that is always the same.
+
+    Not listed in any device profile.
+
+    - guide: Formats
+    """
+
+    __slots__ = ("descriptor_set", "first", "descriptors")
+    __match_args__ = ("descriptor_set", "first", "descriptors")
+
+    SET = 0x01
+    DESCRIPTOR = 0x0E
+    NAME = "tools.poll"
+    ROLE = "command"
+
+    descriptor_set: int
+    """Data descriptor set. Range: 0x80 to 0xFE."""
+    first: int
+    """Field descriptor. Refers to fields of Measurements. Default: 0x01."""
+    # On the wire only: count. Number of fields. The number of elements of `descriptors`.
+    descriptors: tuple[int, ...]
+    """Field descriptors. Refers to fields of `descriptor_set`."""
+
+    def __init__(self, descriptor_set: int, first: int, descriptors: tuple[int, ...]) -> None:
+        self.descriptor_set = descriptor_set
+        self.first = first
+        self.descriptors = descriptors
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Poll, int]:
+        v = _POLL_0.read(raw, at)
+        at += 3
+        descriptor_set = v[0]
+        first = v[1]
+        count = v[2]
+        n = codec.counted(raw, at, count, 1, 250)
+        descriptors = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(descriptor_set, first, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_0.write(
+            self.descriptor_set, self.first, codec.count("descriptors", self.descriptors, 250)
+        )
+        out += codec.write_numbers(
+            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
+        )
+        return codec.finished(out)
+
+
 SettingsResponse.COMMANDS = (Settings,)
 SetTimeFastResponse.COMMANDS = (SetTime,)
 SetTimeSlowResponse.COMMANDS = (SetTime,)
@@ -2076,6 +2132,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0B: (Pin,),
     0x0C: (Hello,),
     0x0D: (Readings,),
+    0x0E: (Poll,),
     0x82: (SettingsResponse,),
     0x83: (SetTimeFastResponse,),
     0x84: (SetTimeSlowResponse,),

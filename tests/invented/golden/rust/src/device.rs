@@ -34,7 +34,9 @@
 
 use core::fmt;
 
-use crate::client::{Answer, Client, CommandError, Request, RequestError, Ticket};
+use crate::client::{
+    after, has_passed, Answer, Client, CommandError, Request, RequestError, Ticket,
+};
 use crate::field::Command;
 use crate::packet::{Packet, MAX_PACKET};
 use crate::parser::Parser;
@@ -65,8 +67,8 @@ pub trait Port {
     /// Sends all of these bytes.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
-    /// A count of milliseconds that never decreases.
-    fn now_ms(&mut self) -> u64;
+    /// A count of milliseconds that goes on, and may wrap around.
+    fn now_ms(&mut self) -> u32;
 }
 
 /// Why a call failed.
@@ -119,6 +121,16 @@ impl<E: fmt::Debug + fmt::Display> core::error::Error for DeviceError<E> {}
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;
 
+/// After a deadline, the port is read at most this many times, as long as bytes arrive: if the
+/// program was suspended, the answer may be behind the bytes that arrived in the meantime.
+const BACKLOG: u8 = 64;
+
+/// Ends waiting after the deadline: nothing more has arrived, or too much.
+fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
+    *backlog = backlog.saturating_sub(late.into());
+    late && (!came || *backlog == 0)
+}
+
 /// The state of the communication with a device, without its port.
 #[derive(Clone, Debug)]
 struct Core<const N: usize, const Q: usize> {
@@ -148,7 +160,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 
     /// Lets commands time out, after processing what noise holds back.
-    fn tick(&mut self, now_ms: u64) {
+    fn tick(&mut self, now_ms: u32) {
         while let Some(packet) = self.client.poll(&mut self.parser, now_ms) {
             sort(&mut self.client, &mut self.data, &packet);
         }
@@ -346,23 +358,28 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Until no command waits.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        while self.core.client.pending() > 0 {
-            self.read()?;
-            self.core.tick(self.port.now_ms());
+        let mut backlog = BACKLOG;
+        while let Some(deadline) = self.core.client.deadline() {
+            let came = self.read()?;
+            let now_ms = self.port.now_ms();
+            if is_over(has_passed(deadline, now_ms), came, &mut backlog) {
+                self.core.tick(now_ms);
+            }
         }
         Ok(())
     }
 
-    fn read(&mut self) -> Result<(), DeviceError<P::Error>> {
+    /// Reads once. Did something come?
+    fn read(&mut self) -> Result<bool, DeviceError<P::Error>> {
         let mut chunk = [0; CHUNK];
         let part = self.core.part(&mut chunk);
         let count = self.port.read(part).map_err(DeviceError::Port)?;
         self.core.arrived(part.get(..count).unwrap_or_default());
-        Ok(())
+        Ok(count > 0)
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none
-    /// arrives within this number of milliseconds. With 0, it reads once.
+    /// arrives within this number of milliseconds. With 0, it reads what has already arrived.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(
@@ -371,13 +388,14 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
         self.core.client.give_up();
         if self.core.data.len() == 0 {
-            let end = self.port.now_ms().saturating_add(wait_ms.into());
+            let end = after(self.port.now_ms(), wait_ms);
+            let mut backlog = BACKLOG;
             loop {
-                self.read()?;
+                let came = self.read()?;
                 if self.core.data.len() > 0 {
                     break;
                 }
-                if self.port.now_ms() >= end {
+                if is_over(has_passed(end, self.port.now_ms()), came, &mut backlog) {
                     self.core.look_behind();
                     break;
                 }

@@ -3,7 +3,7 @@
 use core::{fmt, hash, ops};
 
 use crate::codec::{Counted, Reader, Wire, Writer};
-use crate::error::{DecodeErrorKind, EncodeErrorKind};
+use crate::error::{DecodeErrorKind, EncodeErrorKind, Invalid};
 
 /// At most `N` items, stored in place. It dereferences to a slice.
 ///
@@ -303,7 +303,7 @@ impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
 impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
     const SIZE: usize = T::SIZE.saturating_mul(N);
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         let count = reader.remaining().checked_div(T::SIZE).unwrap_or(0);
         Self::decode_counted(count.min(N), reader)
     }
@@ -317,14 +317,14 @@ impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
 }
 
 impl<T: Wire + Item, const N: usize> Counted for List<T, N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid> {
         if count > N || count.saturating_mul(T::SIZE) > reader.remaining() {
             let follow = reader.remaining().checked_div(T::SIZE).unwrap_or(N).min(N);
             return Err(reader.wrong(DecodeErrorKind::Count, count, follow));
         }
         let mut list = Self::new();
         for _ in 0..count {
-            list.push(reader.read()?).map_err(|_| DecodeErrorKind::Count)?;
+            list.push(reader.read()?).map_err(|_| Invalid)?;
         }
         Ok(list)
     }

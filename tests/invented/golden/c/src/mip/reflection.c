@@ -316,6 +316,22 @@ static const struct mip_record record_tools_readings = {
     sizeof(struct mip_tools_readings),
 };
 
+static const struct mip_parameter parameters_tools_poll[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_poll, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"first", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_poll, first), 0, NULL, NULL, NULL, NULL, 0},
+    {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_tools_poll, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 250, 1, 2, 0, 0,
+     MANY(struct mip_tools_poll, descriptors), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_poll = {
+    parameters_tools_poll,
+    4,
+    sizeof(struct mip_tools_poll),
+};
+
 static const struct mip_parameter parameters_tools_settings_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_settings_response, port), 0, NULL, NULL, NULL, NULL, 0},
@@ -778,6 +794,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
      offsetof(struct mip_tools_hello, present)},
     {&mip_tools_readings_codec, &record_tools_readings, false, false, NULL, 0, 0},
+    {&mip_tools_poll_codec, &record_tools_poll, false, false, NULL, 0, 0},
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},

@@ -40,6 +40,8 @@ const struct mip_entry mip_registry[] = {
      &mip_tools_hello_command},
     {0x01, 0x0D, MIP_COMMAND, 1, 14, MIP_TOOLS_READINGS_NAME, &mip_tools_readings_codec,
      &mip_tools_readings_command},
+    {0x01, 0x0E, MIP_COMMAND, 0, 15, MIP_TOOLS_POLL_NAME, &mip_tools_poll_codec,
+     &mip_tools_poll_command},
     {0x01, 0x82, MIP_RESPONSE, 1, 15, MIP_TOOLS_SETTINGS_RESPONSE_NAME,
      &mip_tools_settings_response_codec, NULL},
     {0x01, 0x83, MIP_RESPONSE, 1, 16, MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME,
@@ -101,6 +103,6 @@ const struct mip_entry mip_registry[] = {
 };
 const size_t mip_registry_size = sizeof(mip_registry) / sizeof(mip_registry[0]);
 
-const uint16_t mip_registry_links[] = {14, 15, 16, 23, 24, 25, 26, 27, 27, 17, 18,
-                                       19, 20, 21, 22, 2,  3,  3,  8,  9,  10, 11,
+const uint16_t mip_registry_links[] = {15, 16, 17, 24, 25, 26, 27, 28, 28, 18, 19,
+                                       20, 21, 22, 23, 2,  3,  3,  8,  9,  10, 11,
                                        12, 13, 4,  4,  4,  4,  5,  6,  0};

@@ -518,3 +518,16 @@ const struct mip_codec mip_tools_readings_response_codec = {
     0,
     sizeof(struct mip_tools_readings_response),
     program_readings_response};
+
+static const uint8_t program_poll[] = {
+    MIP_8_BITS(3, MIP_AT(struct mip_tools_poll, descriptor_set)),
+    MIP_COUNTED(MIP_SIZE(struct mip_tools_poll, count), 250, 1,
+                MIP_AT(struct mip_tools_poll, count)),
+    MIP_8_BITS(1, MIP_AT(struct mip_tools_poll, descriptors)),
+    MIP_END,
+};
+
+const struct mip_codec mip_tools_poll_codec = {
+    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), program_poll};
+
+const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, NULL, NULL, 0};

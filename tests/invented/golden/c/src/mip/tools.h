@@ -1733,6 +1733,61 @@ static inline mip_error mip_tools_readings_response_encode(
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
 }
 
+/**
+ * Poll: command (0x01,0x0E).
+ *
+ * Descriptors of a set that a parameter names, and of one that is always the same.
+ *
+ * Not listed in any device profile.
+ *
+ * - guide: Formats
+ */
+struct mip_tools_poll {
+    /** Data descriptor set. Range: 0x80 to 0xFE. */
+    uint8_t descriptor_set;
+    /** Field descriptor. Refers to fields of Measurements. Default: 0x01. */
+    uint8_t first;
+    /** Number of fields. The number of elements of descriptors. */
+    uint8_t count;
+    /** Field descriptors. Refers to fields of descriptor_set. */
+    uint8_t descriptors[250];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_POLL 0x010E
+/** Its descriptor. */
+#define MIP_TOOLS_POLL_DESCRIPTOR 0x0E
+/** Its name in the specification. */
+#define MIP_TOOLS_POLL_NAME "tools.poll"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_poll_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_tools_poll_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_tools_poll_codec, value, builder);
+}
+/** Poll. Fills the structure and returns its address. */
+static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *command,
+                                                         uint8_t descriptor_set, uint8_t first,
+                                                         uint8_t count,
+                                                         const uint8_t descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->descriptor_set = descriptor_set;
+    command->first = first;
+    command->count = count;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             count * sizeof(descriptors[0]));
+    return command;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -669,6 +669,35 @@ mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_r
                            &mip_tools_readings_response_codec, response);
 }
 
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_tools_poll_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll. */
+static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mip_request *request,
+                                            struct mip_builder *packet,
+                                            const struct mip_tools_poll *command, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_tools_poll_command, command, NULL, NULL,
+                           now);
+}
+
+/** Poll. See mip_device_call. */
+static inline struct mip_result mip_call_tools_poll(struct mip_device *device,
+                                                    uint8_t descriptor_set, uint8_t first,
+                                                    uint8_t count, const uint8_t descriptors[]) {
+    struct mip_tools_poll command;
+    return mip_device_call(device, &mip_tools_poll_command,
+                           mip_tools_poll_make(&command, descriptor_set, first, count, descriptors),
+                           NULL, NULL);
+}
+
+/**
+ * Poll: calls the command with these values, including optional parameters. See mip_device_call.
+ */
+static inline struct mip_result mip_call_tools_poll_with(struct mip_device *device,
+                                                         const struct mip_tools_poll *command) {
+    return mip_device_call(device, &mip_tools_poll_command, command, NULL, NULL);
+}
+
 #ifdef __cplusplus
 }
 #endif

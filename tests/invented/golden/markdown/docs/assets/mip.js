@@ -36,7 +36,8 @@ function toHex(bytes, between = "") {
 
 /** The bytes of hexadecimal digits without anything between them. */
 function fromHex(text) {
-    if (!/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    if (typeof text !== "string" || !/^([0-9a-f]{2})*$/i.test(text))
+        throw new MipError("hex", "the text is not an even number of hexadecimal digits");
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
@@ -69,14 +70,18 @@ function readInteger(bytes, signed) {
     }
 }
 
-/** The bytes of a number, a BigInt or a Boolean. */
+/** What a value is, for errors: also what cannot be made a text. */
+function described(value) {
+    if (typeof value === "string") return JSON.stringify(value);
+    if (Array.isArray(value)) return "an array";
+    return typeof value === "object" && value !== null ? "an object" : String(value);
+}
+
+/** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
 function writeInteger(value, size, signed, what) {
-    let number;
-    try {
-        number = BigInt(value);
-    } catch {
-        throw new MipError("range", `${what}: ${value} is not a whole number`);
-    }
+    if (typeof value !== "bigint" && !Number.isInteger(value))
+        throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
+    let number = BigInt(value);
     const width = BigInt(8 * size);
     const least = signed ? -(1n << (width - 1n)) : 0n;
     if (number < least || number >= least + (1n << width)) {
@@ -109,11 +114,14 @@ function floatBits(bytes) {
 function writeFloat(value, size, what) {
     if (typeof value === "string") {
         if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
-            throw new MipError("range", `${what}: "${value}" is not 0x and ${2 * size} hexadecimal digits`);
+            throw new MipError("range", `${what}: ${described(value)} is neither a number nor 0x and ${2 * size} hexadecimal digits`);
         }
         return fromHex(value.slice(2));
     }
-    if (typeof value !== "number") throw new MipError("range", `${what}: ${value} is not a number`);
+    if (typeof value !== "number") throw new MipError("range", `${what}: ${described(value)} is not a number`);
+    if (size === 4 && Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
+        throw new MipError("range", `${what}: ${value} does not fit in a float of 4 bytes`);
+    }
     const view = new DataView(new ArrayBuffer(size));
     if (Number.isNaN(value)) {
         view.setUint16(0, size === 4 ? 0x7fc0 : 0x7ff8);
@@ -131,14 +139,18 @@ function readText(bytes) {
 }
 
 function writeText(text, what) {
+    if (typeof text !== "string") throw new MipError("range", `${what}: ${described(text)} is not a text`);
     return Uint8Array.from(text, (character) => {
         const code = character.codePointAt(0);
-        if (code > 0xff) throw new MipError("range", `${what}: "${character}" is not a character of Latin-1`);
+        if (code > 0xff) {
+            const shown = /[\ud800-\udfff]/u.test(character) ? "half of a character" : `"${character}"`;
+            throw new MipError("range", `${what}: ${shown} (U+${code.toString(16).toUpperCase()}) is not a character of Latin-1`);
+        }
         return code;
     });
 }
 
-return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
@@ -249,7 +261,7 @@ modules["mip/codec"] = (() => {
 // unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
 // them; arrays are arrays, structures objects, and a union is an object with one member or none.
 
-const { MipError, concatenated, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
+const { MipError, concatenated, described, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
 
 /**
  * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
@@ -404,6 +416,7 @@ function selectedBy(op, values) {
 /** The data of a field with these values, in the shortest form that holds them. */
 function encodeData(protocol, field, values) {
     const writer = new Writer(protocol);
+    refuseOther({ member: field.name }, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
     let required = protocol.required(field);
     let ended; // the first parameter that was left out: all behind it must be, too
@@ -458,19 +471,23 @@ class Writer {
                 this.number(op, value);
                 break;
             case "bits":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${op.member} needs ${op.size} bytes`);
                 for (const byte of value) this.parts.push(writeInteger(byte, 1, false, op.member));
                 break;
             case "text":
+                refuseOther(op, value, typeof value === "string", "a text");
                 checkCount(op, value);
                 this.parts.push(writeText(value, op.member));
                 break;
             case "array":
+                refuseOther(op, value, Array.isArray(value), "an array");
                 checkCount(op, value);
                 for (const item of value) this.put(op.item, item, {});
                 break;
             case "struct": {
                 const struct = this.protocol.type(op.struct);
+                refuseOther(op, value, isObject(value), "an object");
                 refuseUnknown(value, struct.parameters, struct.name);
                 for (const part of struct.operations) this.write(part, value);
                 break;
@@ -478,6 +495,7 @@ class Writer {
             case "switch": {
                 const selected = selectedBy(op, values);
                 const wanted = selected ? [selected.member] : [];
+                refuseOther(op, value, isObject(value), "an object");
                 const there = Object.keys(value);
                 if (there.length !== wanted.length || there[0] !== wanted[0]) {
                     const right = wanted[0] ?? "nothing";
@@ -493,9 +511,16 @@ class Writer {
 
     number(op, value) {
         const { size, kind } = this.protocol.scalar(op.scalar);
+        if (kind === "bool" && typeof value === "boolean") value = Number(value);
         const write = kind === "float" ? writeFloat : (number, width, what) => writeInteger(number, width, kind === "signed", what);
         this.parts.push(write(value, size, op.member));
     }
+}
+
+const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+
+function refuseOther(op, value, right, wanted) {
+    if (!right) throw new MipError("range", `${op.member}: ${described(value)} is not ${wanted}`);
 }
 
 function missing(name) {
@@ -524,7 +549,7 @@ return { decodeData, encodeData };
 modules["mip/packet"] = (() => {
 // Packets: their frame, their fields, and building them.
 
-const { MipError, checksum, concatenated, fromHex, sameBytes, toHex } = modules["mip/bytes"];
+const { MipError, checksum, concatenated, described, fromHex, sameBytes, toHex } = modules["mip/bytes"];
 const { decodeData, encodeData } = modules["mip/codec"];
 const { SHARED_SET } = modules["mip/protocol"];
 
@@ -620,8 +645,12 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`. Raises a MipError if something does not fit.
  */
 function buildPacket(protocol, set, fields) {
-    if (!(set > 0 && set < SHARED_SET)) throw new MipError("set", `no packet has descriptor set ${set}`);
+    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
+        throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     const parts = fields.flatMap((entry) => {
+        if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
+            throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
+        }
         const data = entry.raw === undefined ? dataOf(protocol, set, entry) : bytesOf(entry.raw);
         if (data.length > protocol.maxFieldData) {
             throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);
@@ -729,7 +758,7 @@ function segments(protocol, bytes) {
         for (let at = from; at < to; at++) if (packetAt(protocol, bytes, at)) return true;
         return false;
     };
-    for (let at = 0; at < bytes.length;) {
+    for (let at = 0; at < bytes.length; ) {
         const size = packetAt(protocol, bytes, at);
         const left = bytes.length - at;
         if (size) {
@@ -789,7 +818,12 @@ function parametersAt(protocol, field, path) {
         if (!parameter) break;
         found.push({ parameter, record });
         const type = protocol.types.get(parameter.type);
-        record = type?.kind === "struct" ? type : parameter.cases ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) } : record;
+        record =
+            type?.kind === "struct"
+                ? type
+                : parameter.cases
+                  ? { parameters: parameter.cases.flatMap((one) => one.parameter ?? []) }
+                  : record;
     }
     return found;
 }
@@ -805,10 +839,7 @@ function valueAt(values, path) {
  */
 function namedType(protocol, parameter, siblings = {}, device = undefined) {
     const variant = (parameter.variants ?? []).find(
-        (one) =>
-            one.type &&
-            !one.member &&
-            (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
+        (one) => one.type && !one.member && (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
     );
     return protocol.types.get(variant?.type ?? parameter.type);
 }
@@ -876,7 +907,8 @@ modules["tools/input"] = (() => {
 const { concatenated } = modules["mip/bytes"];
 
 // A line of a hex dump: an offset, bytes, and what they look like. What begins with the sync bytes has no offset.
-const DUMP_LINE = /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
+const DUMP_LINE =
+    /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
 
 // What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
 const TOKEN = new RegExp(
@@ -913,19 +945,19 @@ function bytesOfText(text) {
     };
 }
 
-function bytesOfToken([, double, single, escaped, number, digits]) {
+function bytesOfToken([, double, single, escapes, number, digits]) {
     const literal = double ?? single;
     if (literal !== undefined) return bytesOfLiteral(literal);
-    const hex = escaped ? escaped.replace(/\\x/g, "") : (number ?? digits);
+    const hex = escapes ? escapes.replace(/\\x/g, "") : (number ?? digits);
     const even = hex.length % 2 ? `0${hex}` : hex;
     return Uint8Array.from(even.match(/../g), (pair) => Number.parseInt(pair, 16));
 }
 
 function bytesOfLiteral(text) {
     const found = [];
-    for (const [whole, hex, escape] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
+    for (const [whole, hex, letter] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
         if (hex !== undefined) found.push(Number.parseInt(hex, 16));
-        else found.push(escape === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[escape] ?? escape.charCodeAt(0)));
+        else found.push(letter === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[letter] ?? letter.charCodeAt(0)));
     }
     return Uint8Array.from(found);
 }
@@ -938,7 +970,7 @@ return { bytesOfText };
 modules["tools/words"] = (() => {
 // How things of the protocol are shown: numbers, names and places.
 
-const { toHex } = modules["mip/bytes"];
+const { readFloat, toHex, writeFloat } = modules["mip/bytes"];
 const { bitsOf, enumValue, unitOf } = modules["mip/names"];
 
 function hexByte(number) {
@@ -965,6 +997,39 @@ function decimal(value, size) {
         if (Object.is(Math.fround(short), value)) return Object.is(short, -0) ? "-0" : String(short);
     }
     return String(Number(value.toPrecision(9)));
+}
+
+/** The shortest literal of a float of this size in programs, with a point or an exponent; undefined if it is not finite. */
+function decimalLiteral(value, size) {
+    const number = typeof value === "string" ? readFloat(writeFloat(value, size, "value")) : size === 4 ? Math.fround(value) : value;
+    if (!Number.isFinite(number)) return undefined;
+    for (let digits = 1; digits < 18; digits++) {
+        const text = general(number, digits);
+        const read = size === 4 ? Math.fround(Number(text)) : Number(text);
+        if (Object.is(read, number)) return /[.e]/.test(text) ? text : `${text}.0`;
+    }
+    return undefined;
+}
+
+/** A number with so many significant digits at most, with an exponent if it is small or large: %g of printf. */
+function general(number, digits) {
+    const [mantissa, exponent] = number
+        .toExponential(digits - 1)
+        .split("e")
+        .map(String);
+    const power = Number(exponent);
+    const sign = Object.is(number, -0) ? "-" : "";
+    const short = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+    if (power >= -4 && power < digits) return sign + short(number.toFixed(digits - 1 - power));
+    return `${short(mantissa)}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
+}
+
+/** A number of so many bytes in hexadecimal. */
+function hexLiteral(value, size) {
+    return `0x${BigInt(value)
+        .toString(16)
+        .toUpperCase()
+        .padStart(2 * size, "0")}`;
 }
 
 /** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
@@ -1007,7 +1072,12 @@ function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        const text = Array.isArray(value)
+            ? spacedHex(value)
+            : `0x${value
+                  .toString(16)
+                  .toUpperCase()
+                  .padStart(2 * size, "0")}`;
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: `${value}`, unit };
@@ -1024,7 +1094,7 @@ function conditionText({ parameter, label, command }) {
     return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
 }
 
-return { hexByte, spacedHex, descriptorOf, decimal, pathText, shown, flagText, conditionText };
+return { hexByte, spacedHex, descriptorOf, decimal, decimalLiteral, hexLiteral, pathText, shown, flagText, conditionText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/inspect.mjs
@@ -1269,7 +1339,16 @@ function entryOf(protocol, field, commands) {
     const keywords = field.keywords ?? [];
     const symbols = Object.values(field.symbols);
     const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
-    const names = [field.name, name, field.title, ...also, ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]), ...keywords, ...symbols, ...short];
+    const names = [
+        field.name,
+        name,
+        field.title,
+        ...also,
+        ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]),
+        ...keywords,
+        ...symbols,
+        ...short,
+    ];
     const types = field.parameters.flatMap((parameter) => partsOf(protocol, parameter));
     const sections = field.sources.map((source) => source.section);
     const asked = commands.get(field.name);
@@ -1354,11 +1433,464 @@ function kindOf(field) {
 return { indexOf, find, kindOf };
 })();
 
+// ---------------------------------------------------------------------------------------------------- tools/code.mjs
+
+modules["tools/code"] = (() => {
+// Programs in C, Python and Rust that send a command, or read a data field: the same as on the pages of the reference.
+
+const { MipError } = modules["mip/bytes"];
+const { bitsNumber, enumValue, maskOf, parameterOf } = modules["mip/names"];
+const { decimalLiteral, hexLiteral } = modules["tools/words"];
+
+/** The languages, as programs name and as people call them. */
+const LANGUAGES = [
+    ["c", "C"],
+    ["python", "Python"],
+    ["rust", "Rust"],
+];
+
+/**
+ * A program that sends a command once with each of some values, or that reads a data field or a response. Raises a
+ * MipError of the kind "program" if a language cannot write a value.
+ */
+function programOf(protocol, language, field, values = []) {
+    const writer = { c: cProgram, python: pythonProgram, rust: rustProgram }[language];
+    return writer(new Names(protocol, language), field, field.role === "command" ? values : undefined);
+}
+
+/** The first response that a command asks for with these values, or nothing. */
+function responseTo(protocol, field, values) {
+    const call = field.calls && protocol.functions.get(Number(values.function));
+    if (field.calls && !call?.responds) return undefined;
+    const holds = ({ parameter, label, value }) => {
+        const held = values[parameter];
+        if (held === undefined) return false;
+        return ["true", "false"].includes(label) ? Boolean(Number(held)) === Boolean(value) : Number(held) === value;
+    };
+    const own = (response) => (response.command === field.name ? (response.when ?? []) : []);
+    return (field.responses ?? []).map((name) => protocol.field(name)).find((response) => own(response).every(holds));
+}
+
+// ------------------------------------------------------------------------------------------------ names and values
+
+class Names {
+    constructor(protocol, language) {
+        this.protocol = protocol;
+        this.language = language;
+        this.table = protocol.model.programs[language];
+    }
+
+    member(name) {
+        return this.table.members[name] ?? name;
+    }
+
+    /** A value of an enumeration, or a bit. */
+    constant(type, part) {
+        if (this.language === "c") return `${type.symbols.c}_${part.short ?? part.name}`.toUpperCase();
+        const name = this.table.constants[part.name] ?? part.name.toUpperCase();
+        return `${this.type(type)}${this.language === "rust" ? "::" : "."}${name}`;
+    }
+
+    /** A type or a field, with a mark in front of the module that it needs. */
+    type({ symbols }) {
+        if (this.language === "c") return symbols.c;
+        return `~${symbols[this.language].replace(/^mip_protocol(\.|::)/, "")}`;
+    }
+
+    named(op) {
+        return op.type === undefined ? undefined : this.protocol.type(op.type);
+    }
+}
+
+function cannot(what) {
+    return new MipError("program", `no program can be given here: ${what}`);
+}
+
+function flatOperations(record) {
+    return record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
+}
+
+/** The operation of a parameter of a field or a structure. */
+function operationOf(record, name) {
+    return flatOperations(record).find((op) => op.member === name);
+}
+
+const isDerived = (parameter) => parameter.constant !== undefined || parameter.counts !== undefined;
+const isReserved = (parameter) => parameter.reserved !== undefined;
+const isUnion = (parameter) => parameter.type === undefined;
+
+/** The parameters that a command requires with these values. */
+function requiredParameters(protocol, field, values) {
+    const all = field.parameters.filter((parameter) => !parameter.selector);
+    return all.slice(0, protocol.required(field, values.function));
+}
+
+function refuseOptional(protocol, field, values) {
+    const required = new Set(requiredParameters(protocol, field, values).map((parameter) => parameter.name));
+    const more = field.parameters.find(({ name, selector }) => !selector && !required.has(name) && values[name] !== undefined);
+    if (more) throw cannot(`${more.name} is optional; set it in the object of the command`);
+}
+
+/** The one case that a union has: its operation and value. */
+function alternativeOf(op, value) {
+    const found = op.cases.find((one) => one.operation && Object.hasOwn(value, one.operation.member));
+    return found && { ...found, value: value[found.operation.member] };
+}
+
+/** The flags that make up a value; none if it has other bits, or numbers, too. */
+function flagsOf(type, value) {
+    const number = bitsNumber(value);
+    const flags = type.bits.filter((bits) => bits.first === bits.last && !bits.alias && number & maskOf(bits));
+    return flags.reduce((sum, bits) => sum | maskOf(bits), 0n) === number ? flags : [];
+}
+
+function printable(text) {
+    if (/[^ -~]/.test(text)) throw cannot(`${JSON.stringify(text)} has characters that are not ASCII`);
+    return text;
+}
+
+/** A call, with a line for each argument if one line is too long. */
+function call(head, given, tail, width, comma = ",") {
+    const line = `${head}${given.join(", ")}${tail}`;
+    if (line.length <= width || given.length === 0) return line;
+    return `${head}\n${given.map((argument) => `    ${argument}`).join(",\n")}${comma}\n${tail}`;
+}
+
+/** A number of a parameter; `known` writes the name of a value, `flags` names of bits, `other` another number of a type. */
+function numberText(names, parameter, op, value, { float, known, flags, other }) {
+    const { kind, size } = names.protocol.scalar(op.scalar);
+    if (kind === "float") return float(decimalLiteral(value, size) ?? fail(`${op.member} is no finite number`), size);
+    if (kind === "bool") return undefined;
+    const type = names.named(op);
+    if (type?.kind === "enum") {
+        const found = enumValue(type, value);
+        return found ? known(type, found) : other(type, String(value));
+    }
+    if (type?.kind === "bitfield") {
+        const found = flagsOf(type, value);
+        return found.length
+            ? flags(found.map((bits) => names.constant(type, bits)).join(" | "))
+            : other(type, `0x${BigInt(value).toString(16)}`);
+    }
+    return parameter.shown ? hexLiteral(value, size) : String(value);
+}
+
+function fail(why) {
+    throw cannot(why);
+}
+
+// ------------------------------------------------------------------------------------------------ C
+
+function cProgram(names, field, calls) {
+    const header = `mip/${names.table.headers[field.name.split(".")[0]]}`;
+    if (!calls) {
+        const held = field.parameters.filter((one) => one.constant === undefined && (!isUnion(one) || one.cases?.some((x) => x.parameter)));
+        const read =
+            held
+                .slice(0, 3)
+                .map((one) => `value.${names.member(one.name)}`)
+                .join(", ") + (held.length > 3 ? " …" : "");
+        const type = names.type(field);
+        return [
+            `#include "${header}.h"`,
+            "",
+            `struct ${type} value;`,
+            `if (${type}_decode(&value, &field) == MIP_OK) {`,
+            `    /* ${read || "it holds nothing"} */`,
+            "}",
+        ].join("\n");
+    }
+    const lines = [`#include "${header}_commands.h"`, ""];
+    calls.forEach((values, i) => {
+        const { before, asked } = cCall(names, field, values);
+        lines.push(...(i ? [""] : []), ...before, `${i ? "" : "struct mip_result "}result = ${asked}`);
+    });
+    lines.push("if (!mip_succeeded(result)) {", "    /* mip_result_reason(result) says why */", "}");
+    return lines.join("\n");
+}
+
+function cCall(names, field, values) {
+    const { protocol } = names;
+    refuseOptional(protocol, field, values);
+    const function_ = field.calls && protocol.functions.get(Number(values.function))?.name;
+    const ways = names.table.calls[field.name].filter((way) => way.function === function_);
+    const wanted = responseTo(protocol, field, values)?.name;
+    const way = ways.find(({ response }) => response === wanted) ?? ways[0];
+    if (!way) throw cannot("the function has no name");
+    const before = [];
+    const given = ["device"];
+    if (way.whole) {
+        before.push(`const struct ${names.type(field)} command = ${cRecord(names, field, values)};`);
+        given.push("&command");
+    }
+    for (const name of way.takes ?? []) {
+        const [declared, passed] = cArgument(names, field, parameterOf(field, name), values[name]);
+        before.push(...declared);
+        given.push(...passed);
+    }
+    if (way.response) {
+        before.push(`struct ${names.type(protocol.field(way.response))} response;`);
+        given.push("&response");
+    }
+    return { before, asked: call(`${way.name}(`, given, ");", 80, "") };
+}
+
+/** What must be declared before, and what is passed. */
+function cArgument(names, field, parameter, value) {
+    const name = names.table.arguments[parameter.name] ?? parameter.name;
+    const op = operationOf(field, parameter.name);
+    const count = parameter.length === "rest" ? [String(value.length)] : [];
+    if (op.kind === "switch") {
+        return [[`const union ${names.type(field)}_${parameter.name} ${name} = ${cUnion(names, parameter, op, value)};`], [`&${name}`]];
+    }
+    if (op.kind === "text") return [[], [...count, cString(value)]];
+    if (op.kind === "array") {
+        if (!value.length) return [[], [...count, "NULL"]];
+        const inner = op.item.kind === "array" ? `[${op.item.count}]` : "";
+        return [[`const ${cType(names, parameter)} ${name}[]${inner} = ${cValue(names, parameter, op, value)};`], [...count, name]];
+    }
+    if (cType(names, parameter).startsWith("struct ")) {
+        return [[`const ${cType(names, parameter)} ${name} = ${cValue(names, parameter, op, value)};`], [`&${name}`]];
+    }
+    const type = names.named(op);
+    if (type?.kind === "enum" && type.values.every((one) => one.value <= 0x7fff)) {
+        const known = enumValue(type, value);
+        return [[], [known ? names.constant(type, known) : `(enum ${names.type(type)})${value}`]];
+    }
+    return [[], [cValue(names, parameter, op, value)]];
+}
+
+/** The type of one item. */
+function cType(names, { type }) {
+    const { protocol, table } = names;
+    if (table.scalars[type]) return table.scalars[type];
+    const known = protocol.type(type);
+    if (known.kind === "bitfield" && known.scalar) return names.type(known);
+    return table.scalars[known.scalar] ?? `struct ${names.type(known)}`;
+}
+
+function cUnion(names, parameter, op, value) {
+    const found = alternativeOf(op, value);
+    if (!found) return "{0}";
+    const { operation } = found;
+    const inner = parameter.cases.find((one) => one.parameter?.name === operation.member).parameter;
+    return `{.${names.member(operation.member)} = ${cValue(names, inner, operation, found.value)}}`;
+}
+
+function cRecord(names, record, values) {
+    const held = record.parameters
+        .filter((parameter) => parameter.constant === undefined && Object.hasOwn(values, parameter.name))
+        .map((parameter) => {
+            const op = operationOf(record, parameter.name);
+            const value = values[parameter.name];
+            const text = op.kind === "switch" ? cUnion(names, parameter, op, value) : cValue(names, parameter, op, value);
+            return `.${names.member(parameter.name)} = ${text}`;
+        });
+    return `{${held.join(", ") || "0"}}`;
+}
+
+function cValue(names, parameter, op, value) {
+    switch (op.kind) {
+        case "counter":
+            return String(value);
+        case "text":
+            return cString(value);
+        case "bits":
+            return ["{", value.join(", "), "}"].map((part, i) => (i === 1 ? part : part + part)).join("");
+        case "array":
+            return `{${value.map((one) => cValue(names, parameter, op.item, one)).join(", ") || "0"}}`;
+        case "struct":
+            return cRecord(names, names.protocol.type(op.struct), value);
+    }
+    const { kind, size } = names.protocol.scalar(op.scalar);
+    if (kind === "bool") return Number(value) ? "true" : "false";
+    const type = names.named(op);
+    if (
+        kind !== "float" &&
+        (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))
+    ) {
+        return cNumber(value, size, !type && parameter.shown ? hexLiteral(value, size) : undefined);
+    }
+    return numberText(names, parameter, op, value, {
+        float: (text, width) => text + (width === 4 ? "F" : ""),
+        known: (of, one) => names.constant(of, one),
+        flags: (text) => text,
+    });
+}
+
+function cNumber(value, size, form) {
+    const number = BigInt(value);
+    if (number < 0n) return String(value);
+    const text = form ?? (number < 0x8000n ? String(value) : `0x${number.toString(16).toUpperCase()}`);
+    if (size === 8) return `UINT64_C(${text})`;
+    return number > 0x7fffn && size === 4 ? `UINT32_C(${text})` : text;
+}
+
+function cString(text) {
+    const whole = printable(text).trim();
+    if (/ {2}/.test(whole)) throw cannot(`${JSON.stringify(text)} has several spaces`);
+    return `"${whole.replace(/["\\]/g, "\\$&").replaceAll("??", "?\\?")}"`;
+}
+
+// ------------------------------------------------------------------------------------------------ Python
+
+function pythonProgram(names, field, calls) {
+    if (!calls) {
+        const read = field.parameters.filter((one) => !isDerived(one)).map((one) => `value.${names.member(one.name)}`);
+        return pythonImports(
+            names,
+            `for time, value in device.fields(${names.type(field)}):\n    ${call("print(", ["time", ...read.slice(0, 3)], ")", 84)}`,
+        );
+    }
+    const lines = [];
+    for (const values of calls) {
+        refuseOptional(names.protocol, field, values);
+        const asked = requiredParameters(names.protocol, field, values).filter((one) => !isDerived(one) && !isReserved(one));
+        const given = asked.map((one) => pythonValue(names, field, one, operationOf(field, one.name), values[one.name]));
+        const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
+        const asks = responseTo(names.protocol, field, values) !== undefined;
+        const head = `${asks ? "response = " : ""}device.request(${names.type(field)}${function_ ? `.${names.member(function_)}` : ""}(`;
+        lines.push(call(head, given, "))", 84), ...(asks ? ["print(response)"] : []));
+    }
+    return pythonImports(names, lines.join("\n"));
+}
+
+/** What a program needs, in front of it. */
+function pythonImports(names, text) {
+    const used = [...new Set(Array.from(text.matchAll(/(?<![\w.])~(\w+)\./g), (match) => match[1]))].sort();
+    const alias = (name) => names.table.modules[name] ?? name;
+    const imports = used.map((name) => (alias(name) === name ? name : `${name} as ${alias(name)}`));
+    const body = text.replace(/~(\w+)\./g, (_, name) => `${alias(name)}.`);
+    return `from mip_protocol import ${imports.join(", ")}\n\n${body}`;
+}
+
+function pythonValue(names, record, parameter, op, value) {
+    switch (op.kind) {
+        case "text":
+            return `"${printable(value).replace(/["\\]/g, "\\$&")}"`;
+        case "bits":
+            return `${names.type(names.named(op))}(0x${bitsNumber(value).toString(16)})`;
+        case "array": {
+            const items = value.map((one) => pythonValue(names, record, parameter, op.item, one));
+            return `(${items.join(", ")}${items.length === 1 ? "," : ""})`;
+        }
+        case "struct":
+            return pythonStruct(names, names.protocol.type(op.struct), value);
+        case "switch": {
+            const found = alternativeOf(op, value);
+            if (!found) return "None";
+            const inner = parameter.cases.find((one) => one.parameter?.name === found.operation.member).parameter;
+            return pythonValue(names, record, inner, found.operation, found.value);
+        }
+    }
+    if (names.protocol.scalar(op.scalar).kind === "bool") return Number(value) ? "True" : "False";
+    return numberText(names, parameter, op, value, {
+        float: (text) => text,
+        known: (type, one) => names.constant(type, one),
+        flags: (text) => text,
+        other: (type, text) => `${names.type(type)}(${text})`,
+    });
+}
+
+function pythonStruct(names, struct, values) {
+    const held = struct.parameters.filter((one) => !isDerived(one));
+    const hasDefault = (one) => isReserved(one) || isUnion(one);
+    const given = held.flatMap((one, i) => {
+        const byName = hasDefault(one) && held.slice(i + 1).some((other) => !hasDefault(other));
+        if (byName && isReserved(one)) return [];
+        const text = pythonValue(names, struct, one, operationOf(struct, one.name), values[one.name]);
+        return [byName ? `${names.member(one.name)}=${text}` : text];
+    });
+    return `${names.type(struct)}(${given.join(", ")})`;
+}
+
+// ------------------------------------------------------------------------------------------------ Rust
+
+function rustProgram(names, field, calls) {
+    if (!calls) {
+        const first = field.parameters.find((one) => !isDerived(one));
+        const read = first ? `value.${names.member(first.name)}` : "value";
+        return rustUses(`if let Some(Ok(value)) = packet.find::<${names.type(field)}>() {\n    println!("{:?}", ${read});\n}`);
+    }
+    const lines = [];
+    for (const values of calls) {
+        refuseOptional(names.protocol, field, values);
+        const required = requiredParameters(names.protocol, field, values);
+        const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
+        const made = function_ ? names.table.constructors[function_] : "new";
+        const asks = responseTo(names.protocol, field, values) !== undefined;
+        const head = `${asks ? "let response = device.request" : "device.run"}(&${names.type(field)}::${made}(`;
+        lines.push(call(head, rustGiven(names, field, required, values), "))?;", 84), ...(asks ? ['println!("{response:?}");'] : []));
+    }
+    return rustUses(lines.join("\n"));
+}
+
+/** What a program needs, in front of it. */
+function rustUses(text) {
+    const used = [...new Set(Array.from(text.matchAll(/~(\w+)/g), (match) => match[1]))].sort();
+    return `use mip_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n\n${text.replaceAll("~", "")}`;
+}
+
+/** The arguments of a constructor: no reserved values, and no tag whose union is given. */
+function rustGiven(names, record, parameters, values) {
+    const tags = new Set(parameters.filter((one) => one.tag).map((one) => one.tag));
+    return parameters
+        .filter((one) => !isDerived(one) && !isReserved(one) && !tags.has(one.name))
+        .map((one) => rustValue(names, record, one, operationOf(record, one.name), values[one.name]));
+}
+
+function rustValue(names, record, parameter, op, value) {
+    switch (op.kind) {
+        case "text": {
+            const text = printable(value).replace(/["\\]/g, "\\$&");
+            return op.count === undefined ? `~VarText::new("${text}").unwrap()` : `~Text(*b"${text}")`;
+        }
+        case "bits":
+            return `${names.type(names.named(op))}([${value.join(", ")}])`;
+        case "array": {
+            const array = `[${value.map((one) => rustInner(names, record, parameter, op.item, one)).join(", ")}]`;
+            return op.vector ? `~${names.table.vectors[op.vector]}::from(${array})` : array;
+        }
+        case "struct": {
+            const struct = names.protocol.type(op.struct);
+            return `${names.type(struct)}::new(${rustGiven(names, struct, struct.parameters, value).join(", ")})`;
+        }
+        case "switch":
+            return rustUnion(names, record, parameter, op, value);
+    }
+    if (names.protocol.scalar(op.scalar).kind === "bool") return Number(value) ? "true" : "false";
+    return numberText(names, parameter, op, value, {
+        float: (text) => text,
+        known: (type, one) => names.constant(type, one),
+        flags: (text) => text,
+        other: (type, text) => `${names.type(type)}(${text})`,
+    });
+}
+
+function rustUnion(names, record, parameter, op, value) {
+    const union = `~${names.table.unions[`${record.name}.${parameter.name}`]}`;
+    const found = alternativeOf(op, value);
+    const inner = found && parameter.cases.find((one) => one.parameter?.name === found.operation.member);
+    const tag = (inner ?? parameter.cases.find((one) => !one.parameter))?.tag ?? fail(`${parameter.name} has no case`);
+    const variant = `${union}::${names.table.variants[tag]}`;
+    return inner ? `${variant}(${rustInner(names, record, inner.parameter, found.operation, found.value)})` : variant;
+}
+
+/** Constructors take a `bool`, everything else holds a `Bool`. */
+function rustInner(names, record, parameter, op, value) {
+    if (op.kind === "scalar" && names.protocol.scalar(op.scalar).kind === "bool") return `~Bool(${Number(value)})`;
+    return rustValue(names, record, parameter, op, value);
+}
+
+return { LANGUAGES, programOf, responseTo };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/build.mjs
 
 modules["tools/build"] = (() => {
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
+const { fromHex, readFloat } = modules["mip/bytes"];
 const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
 const { buildPacket } = modules["mip/packet"];
 const { namedType, parameterOf } = modules["mip/names"];
@@ -1377,11 +1909,54 @@ function requiredOperations(protocol, field, selector) {
     return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
 }
 
-/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
-function initialValues(protocol, field, selector) {
+/** Values that a user would send or see, for a function where the field has a selector; optional ones if asked for. */
+function typicalValues(protocol, field, selector, optional = false) {
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const found = numbersOf(protocol, field, (field.calls ? call?.typical : field.typical) ?? {});
+    const operations = optional ? allOperations(field) : requiredOperations(protocol, field, selector);
     const values = {};
-    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
     if (field.calls) values.function = selector;
+    for (const { kind, member } of operations) {
+        if (kind !== "constant" && Object.hasOwn(found, member)) values[member] = found[member];
+    }
+    return values;
+}
+
+/** The operations of a field, those of groups too. */
+function allOperations(field) {
+    return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
+}
+
+/** Values as JavaScript has them: the model has the bits of floats. */
+function numbersOf(protocol, record, values) {
+    const found = {};
+    for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (Object.hasOwn(values, op.member)) found[op.member] = numberOfBits(protocol, op, values[op.member]);
+    }
+    return found;
+}
+
+function numberOfBits(protocol, op, value) {
+    switch (op.kind) {
+        case "array":
+            return value.map((one) => numberOfBits(protocol, op.item, one));
+        case "struct":
+            return numbersOf(protocol, protocol.type(op.struct), value);
+        case "switch":
+            return numbersOf(protocol, { operations: op.cases.map((one) => one.operation).filter(Boolean) }, value);
+        case "scalar":
+            return protocol.scalar(op.scalar).kind === "float" ? readFloat(fromHex(value.slice(2))) : value;
+        default:
+            return Array.isArray(value) ? [...value] : value;
+    }
+}
+
+/** Values to begin with: typical ones, else as few as possible. */
+function initialValues(protocol, field, selector) {
+    const values = typicalValues(protocol, field, selector);
+    for (const op of requiredOperations(protocol, field, selector)) {
+        if (op.kind !== "constant" && !Object.hasOwn(values, op.member)) values[op.member] = initialValue(protocol, op, field, values);
+    }
     return values;
 }
 
@@ -1406,7 +1981,7 @@ function initialValue(protocol, op, record, values) {
             const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
             return Array.from({ length: count }, (_, i) => {
                 const one = Array.isArray(given) ? given[i] : given;
-                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, parameter, one, {});
             });
         }
         case "struct": {
@@ -1420,18 +1995,18 @@ function initialValue(protocol, op, record, values) {
             return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
         }
         default:
-            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+            return numberOf(protocol, parameter, given ?? firstOf(protocol, parameter, values), values);
     }
 }
 
-function firstOf(protocol, op, parameter, values) {
+function firstOf(protocol, parameter, values) {
     const type = namedType(protocol, parameter, values);
     if (type?.kind === "enum") return type.values[0].value;
     return Math.max(0, parameter.minimum ?? 0);
 }
 
 /** A number for a default: it may be the name of a value, or names of bits. */
-function numberOf(protocol, op, parameter, given, values) {
+function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
     if (Array.isArray(given)) {
@@ -1459,15 +2034,90 @@ function counted(protocol, operations, values) {
     return all;
 }
 
-/** The packet of a field with these values; raises a MipError that says what is wrong. */
-function packetOf(protocol, field, set, values) {
-    const all = counted(protocol, field.operations, values);
-    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+/** The packet of some fields with their values, each `{ field, values }`; raises a MipError that says what is wrong. */
+function packetOf(protocol, set, entries) {
+    const fields = entries.map(({ field, values }) => ({
+        descriptor: field.descriptor,
+        name: field.name,
+        values: counted(protocol, field.operations, values),
+    }));
+    return buildPacket(protocol, set, fields);
 }
+
+// ------------------------------------------------------------------------------------------------ optional parameters
+
+/** The groups of operations that may follow what a function requires. */
+function optionalGroups(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const groups = field.operations.filter((op) => op.kind === "group" && op.last > required);
+    return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
+}
+
+/** How many of these groups are there. */
+function countOptional(groups, values) {
+    const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
+    return absent < 0 ? groups.length : absent;
+}
+
+/** The operations of what is there: all that are required, and the optional ones with values. */
+function shownOperations(protocol, field, values) {
+    const groups = optionalGroups(protocol, field, values.function);
+    const optional = groups.slice(0, countOptional(groups, values)).flatMap((op) => op.body);
+    return [...requiredOperations(protocol, field, values.function), ...optional];
+}
+
+// ------------------------------------------------------------------------------------------------ devices
+
+/** What a device says of a field: an entry of its `supports`; without a device, of any field; responses go with commands. */
+function supportOn(protocol, device, field) {
+    if (!device || field === protocol.acknowledge) return {};
+    const names = field.role === "response" ? commandsOf(protocol, field) : [field.name];
+    return device.supports?.find((one) => names.includes(one.field));
+}
+
+function commandsOf(protocol, response) {
+    return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
+}
+
+/** What differs on a device, each in words. */
+function differencesOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (!support) return ["it is not known to support this"];
+    const found = [];
+    if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
+    if (support.functions) found.push(`only ${support.functions.join(", ")}`);
+    if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
+    for (const parameter of field.parameters) {
+        for (const variant of parameter.variants ?? []) {
+            if (variant.by === "device" && variant.key === device.id) found.push(`${parameter.name}: ${variantText(variant)}`);
+        }
+    }
+    return found;
+}
+
+function variantText({ type, units, minimum, maximum, default: usual, only, constant, unknown, description, deprecated }) {
+    const parts = [
+        unknown && "its values are not known",
+        type && `values of ${type}`,
+        only && `only ${only.join(", ")}`,
+        constant !== undefined && `always ${constant}`,
+        units?.length && `in ${units.join(", ")}`,
+        minimum !== undefined && `at least ${minimum}`,
+        maximum !== undefined && `at most ${maximum}`,
+        usual !== undefined && `default ${usual}`,
+        deprecated && "deprecated",
+        description,
+    ];
+    return parts.filter(Boolean).join("; ") || "differs";
+}
+
+// ------------------------------------------------------------------------------------------------ answers
 
 /**
  * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
- * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ * comes; `responses`, each with the field, the condition under which it is directly behind the acknowledge, and a packet
+ * with typical values.
  */
 function answerOf(protocol, field, values) {
     const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
@@ -1476,12 +2126,12 @@ function answerOf(protocol, field, values) {
     const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
     const { acknowledge } = protocol;
     const [command, code] = acknowledge.operations.map((op) => op.member);
-    const packet = buildPacket(protocol, field.set, [
-        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
-    ]);
+    const first = { field: acknowledge, values: { [command]: field.descriptor, [code]: 0 } };
+    const packet = packetOf(protocol, field.set, [first]);
     const responses = asked.map((response) => ({
         field: response,
         when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+        packet: packetOf(protocol, field.set, [first, { field: response, values: initialValues(protocol, response) }]),
     }));
     return { acknowledge: packet, responses, conditions };
 }
@@ -1497,7 +2147,7 @@ function sourceOf(bytes, language) {
     }[language];
 }
 
-return { setsOf, requiredOperations, initialValues, initialValue, counted, packetOf, answerOf, sourceOf };
+return { setsOf, requiredOperations, typicalValues, allOperations, initialValues, initialValue, counted, packetOf, optionalGroups, countOptional, shownOperations, supportOn, differencesOn, answerOf, sourceOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/stream.mjs
@@ -1543,7 +2193,8 @@ function portsFor(device, baud) {
 function streamsOf(protocol, device) {
     const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
-    const fieldsOf = (set) => (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+    const fieldsOf = (set) =>
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
@@ -1580,7 +2231,15 @@ function inspector(root, protocol, options = {}) {
         output.replaceChildren(...report(found, to));
     };
     root.replaceChildren(
-        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets")),
+        element(
+            "p",
+            {},
+            element(
+                "label",
+                { for: "mip-bytes" },
+                "Bytes in hexadecimal: dumps, arrays or strings; there may be other bytes between packets",
+            ),
+        ),
         input,
         element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
         output,
@@ -1760,72 +2419,248 @@ return { finder };
 // ---------------------------------------------------------------------------------------------------- tools/builder.mjs
 
 modules["tools/builder"] = (() => {
-// The builder: choose a command or a field, fill it in, and see its bytes and the answer.
+// The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
-const { MipError } = modules["mip/bytes"];
-const { bitsNumber, maskOf, namedType, parameterOf, unitOf } = modules["mip/names"];
-const { answerOf, initialValue, initialValues, packetOf, requiredOperations, setsOf, sourceOf } = modules["tools/build"];
+const { MipError, toHex } = modules["mip/bytes"];
+const { bitsNumber, enumValue, maskOf, namedType, parameterOf, unitOf } = modules["mip/names"];
+const { Packet } = modules["mip/packet"];
+const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
+const { allOperations, answerOf, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, supportOn, typicalValues } = modules["tools/build"];
+const { LANGUAGES, programOf } = modules["tools/code"];
 const { element, links } = modules["tools/dom"];
-const { descriptorOf, hexByte, spacedHex } = modules["tools/words"];
+const { bytesOfText } = modules["tools/input"];
+const { decimal, descriptorOf, hexByte, hexLiteral, spacedHex } = modules["tools/words"];
 
-const LANGUAGES = [
-    ["c", "C"],
-    ["python", "Python"],
-    ["rust", "Rust"],
-];
-
-/** Fills an element with the builder. `options` are those of `links`, and `field`, the name of the one to begin with. */
+/**
+ * Fills an element with the builder. `options` are those of `links`, and `field`, what to begin with: the name of a field,
+ * or a packet in hexadecimal, perhaps behind the id of a device. If it is given, the fragment of the address follows what
+ * is built.
+ */
 function builder(root, protocol, options = {}) {
     const to = links(options);
-    const groups = protocol.model.sets.map((set) => fieldGroup(`${set.title} (${hexByte(set.number)})`, set.fields.map((name) => protocol.field(name))));
-    const choice = element("select", { id: "mip-field" }, groups, fieldGroup("All command sets", [protocol.acknowledge]));
-    const form = element("div", { class: "mip-form" });
+    const state = { device: undefined, set: undefined, entries: [] };
+    const deviceChoice = element(
+        "select",
+        { id: "mip-device" },
+        element("option", { value: "" }, "any device"),
+        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
+    );
+    const choice = element("select", { id: "mip-field" });
+    const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
-    let state;
 
-    const show = () => output.replaceChildren(...builtPacket(protocol, state, to));
-    const layOut = () => {
-        form.replaceChildren(...inputs(protocol, state, { changed: show, reshaped: () => (layOut(), show()) }, choose));
+    const show = () => {
+        const packet = built(protocol, state);
+        output.replaceChildren(...report(protocol, state, packet, to));
+        if (options.field !== undefined && packet.bytes) {
+            const text = [state.device?.id, toHex(packet.bytes).toUpperCase()].filter(Boolean).join(" ");
+            history.replaceState(history.state, "", `#${encodeURIComponent(text)}`);
+        }
     };
-    const choose = (field, selector = protocol.functions.keys().next().value) => {
-        const function_ = field.calls?.some((call) => call.function === protocol.functions.get(selector)?.name)
-            ? selector
-            : [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
-        state = { field, set: setsOf(protocol, field)[0], values: initialValues(protocol, field, function_) };
+    const layOut = () => {
+        forms.replaceChildren(...entryForms(protocol, state, { changed: show, reshaped }, to), adder());
+    };
+    const reshaped = () => {
         layOut();
         show();
     };
-    choice.addEventListener("input", () => choose(protocol.field(choice.value)));
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice), form, output);
-    const start = options.field && protocol.fields.has(options.field) ? options.field : choice.value;
-    choice.value = start;
-    choose(protocol.field(start));
-    return { choose: (name, selector) => ((choice.value = name), choose(protocol.field(name), selector)), state: () => state };
+    const listFields = () => {
+        const groups = protocol.model.sets.map((set) => [
+            `${set.title} (${hexByte(set.number)})`,
+            set.fields.map((name) => protocol.field(name)),
+        ]);
+        groups.push(["All command sets", [protocol.acknowledge]]);
+        const chosen = state.entries[0]?.field;
+        const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
+        choice.replaceChildren(
+            ...groups
+                .map(offered)
+                .filter(([, fields]) => fields.length)
+                .map(([label, fields]) => fieldGroup(label, fields)),
+        );
+        if (chosen) choice.value = chosen.name;
+    };
+    const adder = () => {
+        const fields = beside(protocol, state).filter((one) => supportOn(protocol, state.device, one));
+        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), fields.map(fieldOption));
+        add.addEventListener("input", () => {
+            if (!add.value) return;
+            state.entries.push(entryOf(protocol, protocol.field(add.value)));
+            layOut();
+            show();
+        });
+        return element("p", { class: "mip-adder" }, element("label", { for: "mip-add" }, "Add another field "), add);
+    };
+    const begin = (entries, set) => {
+        state.entries = entries;
+        state.set = set ?? setsOf(protocol, entries[0].field)[0];
+        listFields();
+        layOut();
+        show();
+    };
+    const choose = (name, selector) => begin([entryOf(protocol, protocol.field(name), selector)]);
+
+    choice.addEventListener("input", () => choose(choice.value));
+    deviceChoice.addEventListener("input", () => {
+        state.device = protocol.model.devices.find((one) => one.id === deviceChoice.value);
+        listFields();
+        layOut();
+        show();
+    });
+    root.replaceChildren(
+        element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
+        element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
+        forms,
+        output,
+    );
+    const start = startOf(protocol, options.field ?? "");
+    state.device = start.device;
+    deviceChoice.value = start.device?.id ?? "";
+    if (start.entries) begin(start.entries, start.set);
+    else choose(start.name ?? protocol.model.sets[0].fields[0]);
+    return { choose, state: () => state };
+}
+
+/** What a fragment says: a device, and a field by its name or a packet. */
+function startOf(protocol, text) {
+    const device = protocol.model.devices.find((one) => text === one.id || text.startsWith(`${one.id} `));
+    const rest = device ? text.slice(device.id.length).trim() : text;
+    if (protocol.fields.has(rest)) return { device, name: rest };
+    try {
+        const packet = Packet.from(protocol, bytesOfText(rest).bytes);
+        const entries = packet.decode().map(({ field, values }) => field && values && { field, values });
+        if (entries.length && entries.every(Boolean)) return { device, entries, set: packet.set };
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+    }
+    return { device };
+}
+
+function entryOf(protocol, field, selector) {
+    const known = (value) => field.calls?.some((call) => call.function === protocol.functions.get(Number(value))?.name);
+    const first = [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
+    return { field, values: initialValues(protocol, field, field.calls ? (known(selector) ? Number(selector) : first) : undefined) };
+}
+
+/** The fields that can be in the same packet. */
+function beside(protocol, { set }) {
+    const names = [protocol.sets.get(set), set >= FIRST_DATA_SET && protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []);
+    return [...names.map((name) => protocol.field(name)), ...(set < FIRST_DATA_SET ? [protocol.acknowledge] : [])];
 }
 
 function fieldGroup(label, fields) {
-    const words = (field) => `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
-    return element("optgroup", { label }, fields.map((field) => element("option", { value: field.name }, words(field))));
+    return element("optgroup", { label }, fields.map(fieldOption));
+}
+
+function fieldOption(field) {
+    const words = `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
+    return element("option", { value: field.name }, words);
 }
 
 // ------------------------------------------------------------------------------------------------ inputs
 
-function inputs(protocol, state, events, choose) {
-    const { field, values } = state;
-    const operations = requiredOperations(protocol, field, values.function);
+/** A form for each field; of several, they can be moved and removed. */
+function entryForms(protocol, state, events, to) {
+    return state.entries.map((entry, i) => {
+        const form = element("div", { class: "mip-form" }, inputs(protocol, state, entry, events));
+        if (state.entries.length === 1) return form;
+        const move = (by) => () => {
+            state.entries.splice(i + by, 0, ...state.entries.splice(i, 1));
+            events.reshaped();
+        };
+        const remove = () => {
+            state.entries.splice(i, 1);
+            events.reshaped();
+        };
+        const button = (words, act, disabled) =>
+            element("button", { type: "button", onclick: act, disabled, "aria-label": `${words}: field ${i + 1}` }, words);
+        return element(
+            "section",
+            { class: "mip-entry", "data-field": entry.field.name },
+            element("h2", {}, `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field)}`),
+            element(
+                "p",
+                {},
+                button("Up", move(-1), i === 0),
+                " ",
+                button("Down", move(1), i === state.entries.length - 1),
+                " ",
+                button("Remove", remove),
+            ),
+            form,
+        );
+    });
+}
+
+function inputs(protocol, state, entry, events) {
+    const { field } = entry;
     const sets = setsOf(protocol, field);
-    const parts = [element("p", {}, field.description)];
-    if (sets.length > 1) {
+    const parts = [element("p", {}, field.description), ...deviceNotes(protocol, state.device, field)];
+    if (sets.length > 1 && state.entries.length === 1) {
         const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
-        parts.push(labelled("set", select(options, state.set, (number) => ((state.set = number), events.changed()))));
+        const change = (number) => {
+            state.set = number;
+            events.reshaped();
+        };
+        parts.push(labelled("set", select(options, state.set, change)));
     }
+    const context = { protocol, device: state.device?.id, record: field, values: entry.values, events };
     if (field.calls) {
         const functions = [...protocol.functions.values()].filter((one) => field.calls.some((call) => call.function === one.name));
         const options = functions.map((one) => [one.value, `${one.name}: ${one.description}`]);
-        parts.push(labelled("function", select(options, values.function, (selector) => choose(field, selector))));
+        const change = (selector) => {
+            const kept = Object.entries(entry.values).filter(([name]) => name !== "function");
+            const fresh = initialValues(protocol, field, selector);
+            for (const [name, value] of kept) if (Object.hasOwn(fresh, name)) fresh[name] = value;
+            entry.values = fresh;
+            events.reshaped();
+        };
+        parts.push(labelled("function", select(options, entry.values.function, change)));
     }
-    const shown = operations.filter((op) => !(field.calls && op.member === "function"));
-    return [...parts, ...shown.flatMap((op) => input(protocol, op, field, values, events))];
+    const shown = shownOperations(protocol, field, entry.values).filter((op) => !(field.calls && op.member === "function"));
+    return [...parts, ...shown.flatMap((op) => input(context, op)), ...optionalButtons(protocol, entry, events)];
+}
+
+/** What the chosen device takes of a field, and what differs there. */
+function deviceNotes(protocol, device, field) {
+    if (!device) return [];
+    const found = differencesOn(protocol, device, field);
+    if (!found.length) return [];
+    return [
+        element(
+            "ul",
+            { class: "mip-device-notes" },
+            found.map((text) => element("li", {}, `${device.title}: ${text}`)),
+        ),
+    ];
+}
+
+/** Parameters that no function requires come one after another, and go the other way round. */
+function optionalButtons(protocol, entry, events) {
+    const { field, values } = entry;
+    const groups = optionalGroups(protocol, field, values.function);
+    const present = countOptional(groups, values);
+    const names = (group) =>
+        group.body
+            .filter(({ kind }) => kind !== "counter")
+            .map((op) => op.member)
+            .join(", ");
+    const add = () => {
+        const typical = typicalValues(protocol, field, values.function, true);
+        for (const op of groups[present].body) values[op.member] = typical[op.member] ?? initialValue(protocol, op, field, values);
+        events.reshaped();
+    };
+    const leaveOut = () => {
+        for (const op of groups[present - 1].body) delete values[op.member];
+        events.reshaped();
+    };
+    const buttons = [
+        present < groups.length &&
+            element("button", { type: "button", onclick: add, class: "mip-more" }, `Add ${names(groups[present])} (optional)`),
+        present > 0 &&
+            element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
+    ].filter(Boolean);
+    return buttons.length ? [element("p", {}, buttons)] : [];
 }
 
 let lastInput = 0; // for ids
@@ -1836,21 +2671,28 @@ function labelled(words, control, ...behind) {
 }
 
 function select(options, value, set) {
-    const control = element("select", {}, options.map(([number, words]) => element("option", { value: number, selected: number === value }, words)));
+    const known = options.map(([number, words]) => element("option", { value: number, selected: number === Number(value) }, words));
+    const control = element("select", {}, known);
     control.addEventListener("input", () => set(Number(control.value)));
     return control;
 }
 
-/** The inputs of one operation; they change `values`. */
-function input(protocol, op, record, values, events) {
+/** The inputs of one operation; they change `values` of the context. */
+function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
+    const { protocol, record, values, events } = context;
     const parameter = parameterOf(record, op.member) ?? { name: op.member };
-    const [name, set] = [op.member, (value) => ((values[op.member] = value), events.changed())];
+    const name = op.member;
+    const set = (value) => {
+        values[name] = value;
+        events.changed();
+    };
     const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
     const note = hint ? [" ", element("small", {}, hint)] : [];
+    const inside = (struct, inner) => ({ ...context, record: struct, values: inner, outer: { parameter, values } });
     switch (op.kind) {
         case "scalar":
-            return [scalarInput(protocol, op, parameter, record, values, events, note)];
+            return [scalarInput(context, op, parameter, note)];
         case "bits":
             return [bitsInput(name, protocol.type(op.type), values[name], (number) => set(littleEndian(number, op.size)))];
         case "text": {
@@ -1858,39 +2700,115 @@ function input(protocol, op, record, values, events) {
             control.addEventListener("input", () => set(control.value.padEnd(op.count ?? 0)));
             return [labelled(name, control, note)];
         }
-        case "struct":
-            return [group(name, hint, protocol.type(op.struct).operations.flatMap((part) => input(protocol, part, protocol.type(op.struct), values[name], events)))];
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            return [
+                group(
+                    name,
+                    hint,
+                    struct.operations.flatMap((part) => input(inside(struct, values[name]), part)),
+                ),
+            ];
+        }
         case "switch": {
             const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
-            return selected ? [group(name, hint, input(protocol, selected, record, values[name], events))] : [];
+            return selected ? [group(name, hint, input({ ...context, values: values[name] }, selected))] : [];
         }
         default:
-            return [arrayInput(protocol, op, parameter, values, events, hint)];
+            return [arrayInput(context, op, parameter, hint)];
     }
 }
 
-function scalarInput(protocol, op, parameter, record, values, events, note) {
+function scalarInput(context, op, parameter, note) {
+    const { protocol, record, values, events, device } = context;
     const name = op.member;
-    const type = namedType(protocol, parameter, values);
-    const { kind } = protocol.scalar(op.scalar);
-    const tags = record.parameters.some((one) => one.tag === name || one.variants?.some((variant) => variant.by === name));
+    const type = namedType(protocol, parameter, values, device);
+    const { kind, size } = protocol.scalar(op.scalar);
+    const shapes = record.parameters.some((one) =>
+        [one.tag, one.fields_of, ...(one.variants ?? []).map((variant) => variant.by)].includes(name),
+    );
     const set = (value) => {
         values[name] = value;
-        if (!tags) return events.changed();
+        if (!shapes) return events.changed();
         for (const union of unionsOf(record, name)) values[union.member] = initialValue(protocol, union, record, values);
         events.reshaped();
     };
-    if (type?.kind === "enum") {
-        const options = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
-        return labelled(name, select(options, Number(values[name]), set), note);
-    }
+    if (type?.kind === "enum") return labelled(name, ...enumInput(type, values[name], set), note);
     if (type?.kind === "bitfield") return bitsInput(name, type, values[name], set);
     if (kind === "bool") {
         const control = element("input", { type: "checkbox", checked: Boolean(values[name]) });
         control.addEventListener("input", () => set(control.checked ? 1 : 0));
         return labelled(name, control, note);
     }
-    return labelled(name, numberInput(values[name], kind, set), note);
+    if (!parameter.shown) return labelled(name, numberInput(values[name], kind, size, set), note);
+    return labelled(name, ...hexInput(context, parameter, values[name], size, set), note);
+}
+
+/** The names of an enumeration, and any other number: enumerations are open. */
+function enumInput(type, value, set) {
+    const known = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
+    const other = enumValue(type, value) ? undefined : value;
+    const control = element(
+        "select",
+        {},
+        [...known, ["other", "another number"]].map(([number, words]) =>
+            element("option", { value: number, selected: other === undefined ? number === Number(value) : number === "other" }, words),
+        ),
+    );
+    const number = element("input", {
+        value: String(other ?? ""),
+        hidden: other === undefined,
+        "aria-label": "another number",
+        spellcheck: "false",
+    });
+    control.addEventListener("input", () => {
+        number.hidden = control.value !== "other";
+        set(number.hidden ? Number(control.value) : numberOfText(number.value, "unsigned"));
+    });
+    number.addEventListener("input", () => set(numberOfText(number.value, "unsigned")));
+    return [control, " ", number];
+}
+
+let lastList = 0; // for ids
+
+/** A number that people know in hexadecimal, with the sets or fields to choose from, and what it means. */
+function hexInput(context, parameter, value, size, set) {
+    const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
+    const choices = choicesOf(context, parameter);
+    const meaning = element("small", { class: "mip-meant" }, choices.get(Number(value)) ?? "");
+    control.addEventListener("input", () => {
+        const number = numberOfText(control.value, "unsigned");
+        meaning.textContent = choices.get(Number(number)) ?? "";
+        set(number);
+    });
+    if (!choices.size) return [control, meaning];
+    const list = element(
+        "datalist",
+        { id: `mip-list-${++lastList}` },
+        [...choices].map(([number, words]) => element("option", { value: hexOf(number, size) }, words)),
+    );
+    control.setAttribute("list", list.id);
+    return [control, list, " ", meaning];
+}
+
+function hexOf(value, size) {
+    return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
+}
+
+/** Number -> title of the data sets, or of the fields of the set that a parameter refers to. */
+function choicesOf({ protocol, values, outer }, parameter) {
+    if (parameter.shown === "set") {
+        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
+        return new Map(sets.map((one) => [one.number, one.title]));
+    }
+    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
+    if (parameter.shown !== "field" || !where) return new Map();
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
+    if (set?.kind !== "data") return new Map();
+    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
+    return new Map(fields.map((field) => [field.descriptor, field.title]));
 }
 
 /** The switches of a record that a parameter selects. */
@@ -1898,8 +2816,9 @@ function unionsOf(record, tag) {
     return record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op])).filter((op) => op.kind === "switch" && op.tag === tag);
 }
 
-function numberInput(value, kind, set) {
-    const control = element("input", { value: String(value), inputmode: kind === "float" ? "decimal" : "text", spellcheck: "false" });
+function numberInput(value, kind, size, set) {
+    const text = kind === "float" && typeof value === "number" ? decimal(value, size) : String(value);
+    const control = element("input", { value: text, inputmode: kind === "float" ? "decimal" : "text", spellcheck: "false" });
     control.addEventListener("input", () => set(numberOfText(control.value, kind)));
     return control;
 }
@@ -1907,12 +2826,20 @@ function numberInput(value, kind, set) {
 /** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
 function numberOfText(text, kind) {
     const trimmed = text.trim();
-    if (kind === "float") return /^0x/i.test(trimmed) ? trimmed : trimmed === "" ? trimmed : Number(trimmed);
+    if (kind === "float") return floatOfText(trimmed);
     if (/^-?(\d+|0x[0-9a-f]+)$/i.test(trimmed)) {
         const number = trimmed.startsWith("-") ? -BigInt(trimmed.slice(1)) : BigInt(trimmed);
         return Number.isSafeInteger(Number(number)) ? Number(number) : number;
     }
-    return trimmed || NaN;
+    return trimmed;
+}
+
+/** What is no number, or too large, stays a text, which is refused when it is encoded. */
+function floatOfText(text) {
+    const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
+    if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
+    const number = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : text;
 }
 
 /** The whole number, and an input for each name in it. */
@@ -1961,9 +2888,10 @@ function littleEndian(number, size) {
 }
 
 /** Vectors and arrays: their elements; those of an array that is counted can be added and removed. */
-function arrayInput(protocol, op, parameter, values, events, hint) {
+function arrayInput(context, op, parameter, hint) {
+    const { protocol, values, events } = context;
     const items = values[op.member];
-    const inner = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
+    const record = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
     const names = protocol.types.get(op.vector)?.elements;
     const rows = items.map((_, i) => {
         const holder = {
@@ -1974,15 +2902,19 @@ function arrayInput(protocol, op, parameter, values, events, hint) {
                 items[i] = value;
             },
         };
-        const unit = { ...inner.parameters[0], description: "", units: [unitOf(parameter, i)] };
-        const [control] = input(protocol, op.item, { ...inner, parameters: [unit] }, holder, events);
+        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
+        if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
+        const [control] = input(
+            { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },
+            op.item,
+        );
         const label = control.querySelector(":scope > label, :scope > legend");
         label.textContent = `${names?.[i] ?? `${op.member}[${i}]`} `;
         return control;
     });
     if (op.count !== undefined) return group(op.member, hint, rows);
     const add = () => {
-        items.push(initialValue(protocol, op.item, inner, {}));
+        items.push(items.length ? structuredClone(items.at(-1)) : initialValue(protocol, op.item, record, {}));
         events.reshaped();
     };
     const remove = () => {
@@ -2005,31 +2937,86 @@ function group(name, hint, controls) {
 
 // ------------------------------------------------------------------------------------------------ result
 
-function builtPacket(protocol, { field, set, values }, to) {
-    let packet;
+/** The packet, or the error that says why there is none. */
+function built(protocol, { set, entries }) {
     try {
-        packet = packetOf(protocol, field, set, values);
+        return packetOf(protocol, set, entries);
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
-        return [element("p", { class: "mip-wrong" }, `${error.message}.`)];
+        return { error };
     }
-    const sources = LANGUAGES.map(([key, title]) => [element("dt", {}, title), element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key)))]);
+}
+
+function report(protocol, { entries }, packet, to) {
+    if (packet.error) return [element("p", { class: "mip-wrong" }, `${packet.error.message}.`)];
+    const sources = LANGUAGES.map(([key, title]) => [
+        element("dt", {}, title),
+        element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
+    ]);
+    const title =
+        entries.length === 1
+            ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field)}`]
+            : [`A packet of ${entries.length} fields`];
     return [
-        element("h2", {}, to.field(field), ` ${descriptorOf(field)}`),
+        element("h2", {}, ...title),
         element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
         element("p", {}, `${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
-        element("h3", {}, "As source code"),
+        ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
+        element("h3", {}, "The packet in source code"),
         element("dl", { class: "mip-bytes" }, sources),
-        ...(field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : []),
     ];
+}
+
+/** The programs of a field, and what it is answered with. */
+function entryReport(protocol, { field, values }, several, to) {
+    const heading = several ? [element("h2", {}, to.field(field))] : [];
+    const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
+    return [...heading, ...programs(protocol, field, values), ...answer];
+}
+
+function programs(protocol, field, values) {
+    if (field.role === "response") return [];
+    const shown = LANGUAGES.map(([key, title]) => {
+        const text = programText(protocol, key, field, values);
+        const code = element("pre", {}, element("code", { "data-program": key }, text));
+        return element("details", { open: key === "python" }, element("summary", {}, title), code);
+    });
+    const given =
+        field.role === "command"
+            ? "Each has a `device` that is open."
+            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+    return [
+        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("p", {}, given.replaceAll("`", "")),
+        ...shown,
+    ];
+}
+
+function programText(protocol, language, field, values) {
+    try {
+        return programOf(protocol, language, field, [counted(protocol, allOperations(field), values)]);
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return `${error.message}.`;
+    }
 }
 
 function answerReport(protocol, field, values, to) {
     const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
     const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
     if (silent) return [element("h3", {}, "Answer"), element("p", { class: "mip-answer" }, silent)];
-    const listed = responses.map(({ field: response, when }) =>
-        element("li", { "data-field": response.name }, to.field(response), ` ${descriptorOf(response)}, ${sizeText(response)}`, when && `, if ${when}`),
+    const listed = responses.map(({ field: response, when, packet }) =>
+        element(
+            "li",
+            { "data-field": response.name },
+            to.field(response),
+            ` ${descriptorOf(response)}, ${sizeText(response)}`,
+            when && `, if ${when}`,
+            element("br", {}),
+            "for example ",
+            element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
+            layoutTable(response),
+        ),
     );
     return [
         element("h3", {}, "Answer"),
@@ -2044,6 +3031,31 @@ function answerReport(protocol, field, values, to) {
         listed.length > 0 && unless && element("p", {}, unless),
         element("p", {}, "A refusal is an acknowledge with another code, without a response."),
     ].filter(Boolean);
+}
+
+/** The parameters of a response, in order. */
+function layoutTable(response) {
+    const rows = response.parameters.map((parameter) => {
+        const many = parameter.length === undefined ? "" : `[${parameter.length}]`;
+        const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
+        return element(
+            "tr",
+            {},
+            cells.map((cell) => element("td", {}, cell)),
+        );
+    });
+    if (!rows.length) return "";
+    const heading = element(
+        "tr",
+        {},
+        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
+    );
+    return element(
+        "details",
+        {},
+        element("summary", {}, "Layout"),
+        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
+    );
 }
 
 function sizeText({ min_size: least, max_size: most }) {
@@ -2097,7 +3109,16 @@ function streamTable({ set, base }, rows) {
         element(
             "div",
             { class: "mip-scroll" },
-            element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(({ line }) => line))),
+            element(
+                "table",
+                {},
+                element("thead", {}, element("tr", {}, heads)),
+                element(
+                    "tbody",
+                    {},
+                    rows.map(({ line }) => line),
+                ),
+            ),
         ),
     );
 }
@@ -2106,7 +3127,13 @@ function streamTable({ set, base }, rows) {
 function streamRow(field, { set, base }, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
-    const number = element("input", { type: "number", min: base ? 1 : 0, step: base ? 1 : "any", value: base ? 10 : 1, "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}` });
+    const number = element("input", {
+        type: "number",
+        min: base ? 1 : 0,
+        step: base ? 1 : "any",
+        value: base ? 10 : 1,
+        "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}`,
+    });
     const text = element("td", { class: "mip-rate" });
     const rateOf = () => {
         const given = Math.max(0, Number(number.value) || 0);
@@ -2161,8 +3188,9 @@ modules["tools/index"] = (() => {
 // The tools for the browser.
 
 const { bandwidth } = modules["tools/bandwidth"];
-const { answerOf, initialValues, packetOf } = modules["tools/build"];
+const { answerOf, initialValues, packetOf, typicalValues } = modules["tools/build"];
 const { builder } = modules["tools/builder"];
+const { programOf } = modules["tools/code"];
 const { find, indexOf } = modules["tools/find"];
 const { finder } = modules["tools/finder"];
 const { bytesOfText } = modules["tools/input"];
@@ -2170,7 +3198,7 @@ const { inspect } = modules["tools/inspect"];
 const { inspector } = modules["tools/inspector"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 
-return { bandwidth, answerOf, initialValues, packetOf, builder, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf };
+return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf };
 })();
 
 globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };

@@ -267,6 +267,19 @@ TYPES: dict[str, Info] = {
             Parameter("drive", "drive", "scalar", description="What is asked for.", scalar="u8", type=tools.Drive),
         ),
     ),
+    "Poll": FieldInfo(
+        "tools.poll", type=tools.Poll,
+        title="Poll",
+        description="Descriptors of a set that a parameter names, and of one that is always the same.",
+        facts=("Not listed in any device profile.",),
+        sources=("guide: Formats",),
+        parameters=(
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", facts=("Range: 0x80 to 0xFE.",), scalar="u8", minimum=128, maximum=254),
+            Parameter("first", "first", "scalar", description="Field descriptor.", facts=("Refers to fields of Measurements.", "Default: 0x01."), scalar="u8", default=1),
+            Parameter("count", "count", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
+            Parameter("descriptors", "descriptors", "array", description="Field descriptors.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8", length="count"),
+        ),
+    ),
     "SettingsResponse": FieldInfo(
         "tools.settings_response", type=tools.SettingsResponse,
         title="Settings response",

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from ..errors import Failure
 from .scan import Piece, Scanner
@@ -77,10 +77,32 @@ def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
     yield from scanner.flush()
 
 
+def is_log(name: str) -> bool:
+    """Is this a file of bytes that can be read: not hexadecimal digits, no pipe, not standard input?"""
+    try:
+        if name == "-" or not os.path.isfile(name):
+            return False
+        with open(name, "rb") as file:
+            return not _is_text(file.read(CHUNK))
+    except OSError:
+        return False
+
+
+def as_columns(name: str) -> Any:
+    """The log in columns, a `columns.Log`; None without NumPy, or if it is no file of bytes."""
+    if not is_log(name):
+        return None
+    try:
+        from ..columns import read_log
+    except ImportError:
+        return None
+    return read_log(name)
+
+
 @contextmanager
 def seekable(name: str) -> Iterator[str]:
-    """A file that can be read twice: the file itself, or a temporary one with standard input."""
-    if name != "-":
+    """A file of bytes that can be read twice: the file itself, or a temporary one with its bytes."""
+    if is_log(name):
         yield name
         return
     with tempfile.TemporaryDirectory(prefix="mip-") as folder:
@@ -97,11 +119,16 @@ def _read(file: IO[bytes]) -> Iterator[bytes]:
         yield chunk
 
 
+def _is_text(first: bytes) -> bool:
+    """Are they hexadecimal digits? A packet has a `u`, which is none."""
+    return bool(first.strip() and _TEXT.fullmatch(first))
+
+
 def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
     first = next(source, b"")
     while len(first) < 16 and _TEXT.fullmatch(first) and (more := next(source, b"")):
         first += more  # a port may give one byte at first
-    if not first.strip() or not _TEXT.fullmatch(first):  # a packet has a `u`, which is no digit
+    if not _is_text(first):
         yield first
         yield from source
         return
@@ -179,10 +206,12 @@ def existing(name: str) -> Path:
 __all__ = [
     "CHUNK",
     "Progress",
+    "as_columns",
     "chunks",
     "existing",
     "exists",
     "hex_bytes",
+    "is_log",
     "is_port",
     "pieces",
     "readable",

@@ -42,15 +42,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     recording = _Recording(options)
+    closed = False
     with ports.stopping(), outputs.whole(options.output, keep=True) as out:
         try:
             recording.write(out)
         except KeyboardInterrupt:  # the usual way to end it
             pass
+        except ports.Lost:
+            closed = True
         finally:
             recording.clear()
     outputs.note(recording.status())
-    if recording.closed:
+    if closed:
         raise Failure(
             f"{options.port} was closed after {inputs.readable(recording.size)}, which are kept"
         )
@@ -64,7 +67,6 @@ class _Recording:
         self.size = 0
         self.packets = 0
         self.skipped = 0
-        self.closed = False
         self._shown = self._start = time.monotonic()
 
     def write(self, out: IO[bytes]) -> None:
@@ -84,8 +86,6 @@ class _Recording:
             self._show()
             if self.packets == options.packets:
                 return
-        spent = time.monotonic() - self._start
-        self.closed = options.duration is None or spent < options.duration
 
     def status(self) -> str:
         """What has been recorded."""

@@ -15,6 +15,7 @@ from .arguments import add_device, device_id, seconds
 from .selection import fields
 
 REFUSED, SILENT = 3, 4
+_NEGATIVE = re.compile(r"-[\d.]")
 
 EPILOG = """\
 examples:
@@ -36,8 +37,6 @@ exit status: 3 if the device refuses the command, 4 if it does not answer
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
-    # Lists may begin with a negative number: -1,0,0.
-    parser._negative_number_matcher = re.compile(r"^-[\d.]")
     add = parser.add_argument
     add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
     add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
@@ -52,8 +51,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     ports.add_arguments(parser)
 
 
+def words(given: list[str]) -> list[str]:
+    """What is given, without anything that looks like an option but begins with a negative number: -1,0,0.
+
+    argparse takes nothing for an option that begins with a space.
+    """
+    return [f" {word}" if _NEGATIVE.match(word) else word for word in given]
+
+
 def run(options: argparse.Namespace) -> int:
     words = [w for w in (options.command_name, options.function) if w is not None] + options.values
+    words = [word[1:] if word.startswith(" -") else word for word in words]
     if options.hex:
         words = [options.port, *words]
     if not words:

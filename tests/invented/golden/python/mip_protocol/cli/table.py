@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from .. import registry
 from ..field import Field, Structure, chosen
-from ..parameter import Parameter
+from ..parameter import Flag, Parameter
 from ..reflection import PARAMETERS
 from . import inputs, values
 from .clocks import CLOCKS, Timeline, moments
@@ -23,6 +23,10 @@ class Column(NamedTuple):
     parameter: Parameter
     get: Callable[[Any], Any]
     valid: Callable[[Any], bool] | None
+    #: In `columns.Column`: the name, the element if it is one of several, and the flag with its name.
+    path: str
+    element: int | None
+    flag: tuple[str, Flag] | None
 
 
 class Sample(NamedTuple):
@@ -37,24 +41,30 @@ class Sample(NamedTuple):
 
 def columns(kind: type[Field]) -> list[Column]:
     """The columns of a field: vectors and structures are divided, lists of any length are not."""
-    return list(_columns(kind, "", lambda field: field))
+    return list(_columns(kind, "", "", lambda field: field))
 
 
-def _columns(kind: type[Structure], before: str, owner: Callable[[Any], Any]) -> Iterator[Column]:
+def _columns(
+    kind: type[Structure], before: str, record: str, owner: Callable[[Any], Any]
+) -> Iterator[Column]:
     for p in PARAMETERS[kind]:
         if p.derived:
             continue
         get = _member(owner, p.attribute)
-        name = f"{before}{p.name}"
+        name, path = f"{before}{p.name}", f"{record}{p.attribute}"
         if p.kind == "struct":
-            yield from _columns(p.type, f"{name}.", get)
+            yield from _columns(p.type, f"{name}.", f"{path}.", get)
         elif p.kind == "array" and (labels := _labels(p)):
             for i, label in enumerate(labels):
                 unit = p.units[i] if len(p.units) == len(labels) else "".join(p.units[:1])
-                valid = _valid(owner, p, i)
-                yield Column(f"{name}.{label}", _unit(unit), p, _element(get, i), valid)
+                flag = _flag(p, i)
+                valid, where = _valid(owner, flag), _flag_at(record, flag)
+                element = _element(get, i)
+                yield Column(f"{name}.{label}", _unit(unit), p, element, valid, path, i, where)
         else:
-            yield Column(name, _unit(p.unit), p, get, _valid(owner, p, 0))
+            flag = _flag(p, 0)
+            valid, where = _valid(owner, flag), _flag_at(record, flag)
+            yield Column(name, _unit(p.unit), p, get, valid, path, None, where)
 
 
 def _labels(p: Parameter) -> tuple[Any, ...]:
@@ -86,10 +96,18 @@ def _element(get: Callable[[Any], Any], i: int) -> Callable[[Any], Any]:
     return element
 
 
-def _valid(owner: Callable[[Any], Any], p: Parameter, i: int) -> Callable[[Any], bool] | None:
-    if not p.flags:
+def _flag(p: Parameter, i: int) -> Flag | None:
+    """What vouches for an element."""
+    return p.flags[i if len(p.flags) > 1 else 0] if p.flags else None
+
+
+def _flag_at(record: str, flag: Flag | None) -> tuple[str, Flag] | None:
+    return None if flag is None else (f"{record}{flag.attribute}", flag)
+
+
+def _valid(owner: Callable[[Any], Any], flag: Flag | None) -> Callable[[Any], bool] | None:
+    if flag is None:
         return None
-    flag = p.flags[i if len(p.flags) > 1 else 0]
 
     def valid(field: Any) -> bool:
         held = getattr(owner(field), flag.attribute)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -92,16 +93,17 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
 
 
 def values(
-    kind: type[Field], rows: Array | None, shape: Layout
+    kind: type[Field], rows: Array, shape: Layout, turned: bool
 ) -> tuple[dict[str, Array], Array | None]:
-    """The columns of some rows of bytes, and which rows are right, if not all are: constants differ."""
+    """The columns of some rows of bytes, and which rows are right, if not all are: constants differ.
+
+    `turned` says that items of one size have the order of this machine already.
+    """
     if not shape.dtype.itemsize:
         return {}, None
-    if rows is None:
-        rows = np.zeros((0, shape.dtype.itemsize), np.uint8)
     record = rows.reshape(-1).view(shape.dtype)
     if shape.base is not None:  # turned in one go, in place
-        if shape.base.itemsize > 1:
+        if not turned and sys.byteorder == "little":
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
     right: Array | None = None

@@ -15,7 +15,8 @@ from ..reflection import PARAMETERS
 from . import general, layout, walk
 from .column import Column
 from .piece import Piece, Where
-from .scan import Array, gather
+from .rows import Rows
+from .scan import HEADER, Array
 
 if TYPE_CHECKING:
     from .log import Log
@@ -35,7 +36,7 @@ class Reader:
             raise KeyError(f"{where} has no field {self._kind.NAME}")
         several = own is not None and len(registry.types(own, self._kind.DESCRIPTOR)) > 1
         self._layout = None if several else layout.layout(self._kind)
-        self._bytes: list[Array] = []
+        self._rows = None if self._layout is None else Rows(self._layout, log.end)
         self._objects: list[Any] = []
         self._where = Where(own or 0)
 
@@ -46,7 +47,7 @@ class Reader:
         return self._kind in registry.types(number, self._kind.DESCRIPTOR)
 
     def _fields(self, piece: Piece) -> tuple[Array, Array] | None:
-        """Packet and place of the fields in a piece that have the right descriptor and are long enough."""
+        """Packet, and offset in its payload, of the fields in a piece that have the right descriptor and are long enough."""
         width = 0 if self._layout is None else self._layout.dtype.itemsize
         descriptor = self._kind.DESCRIPTOR
         runs = [
@@ -56,25 +57,25 @@ class Reader:
         ]
         if not runs:
             return None
-        packet, offset = walk.places(runs, len(piece.at))
-        return packet, piece.at[packet] + offset
+        return walk.places(runs, len(piece.at))
 
     def add(self, piece: Piece) -> None:
         """Adds what is in a piece."""
         found = self._fields(piece)
         if found is None:
             return
-        packet, place = found
-        if self._layout is not None:
-            self._bytes.append(gather(piece.data, place, self._layout.dtype.itemsize))
+        packet, offset = found
+        if self._rows is not None:
+            self._rows.add(piece, packet, offset)
         else:
-            values = list(self._decoded(piece, packet, place))
+            values = list(self._decoded(piece, packet, offset))
             packet = packet[np.array([v is not None for v in values], bool)]
             self._objects += [v for v in values if v is not None]
         self._where.add(piece, packet)
 
-    def _decoded(self, piece: Piece, packet: Array, place: Array) -> Iterator[Field | None]:
+    def _decoded(self, piece: Piece, packet: Array, offset: Array) -> Iterator[Field | None]:
         """The objects; None where they cannot be decoded, or have another type."""
+        place = piece.at[packet] + HEADER + offset
         sets, sizes = piece.data[piece.at[packet] + 2], piece.data[place - 2]
         for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
             data = piece.data[begin : begin + size - 2].tobytes()
@@ -89,13 +90,11 @@ class Reader:
         """What was added."""
         values: dict[str, Any]
         right = None
-        if self._layout is None:
+        if self._rows is None or self._layout is None:
             values = general.columns(PARAMETERS[self._kind], self._objects)
         else:
-            rows = None
-            if self._bytes:
-                rows = self._bytes[0] if len(self._bytes) == 1 else np.concatenate(self._bytes)
-            fixed, right = layout.values(self._kind, rows, self._layout)
+            rows = self._rows.whole()
+            fixed, right = layout.values(self._kind, rows, self._layout, self._rows.turned)
             values = dict(fixed)
         self._where.keep(right)
         return Column(self._log, self._kind, values, self._where, self._set)

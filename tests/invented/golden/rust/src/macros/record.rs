@@ -97,7 +97,7 @@ macro_rules! wire {
 
             #[allow(unused_variables)]
             #[inline]
-            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::error::DecodeErrorKind> {
+            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::error::Invalid> {
                 if Self::FIXED {
                     reader.require(Self::SIZE)?;
                 }
@@ -237,7 +237,7 @@ macro_rules! union {
             fn decode_as(
                 tag: $tag,
                 reader: &mut $crate::Reader<'_>,
-            ) -> Result<Self, $crate::error::DecodeErrorKind> {
+            ) -> Result<Self, $crate::error::Invalid> {
                 Ok(match tag {
                     $(<$tag>::$value => Self::$variant $((reader.read::<$type>()?))?,)*
                     other => Self::Other(other),

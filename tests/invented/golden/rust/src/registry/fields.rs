@@ -78,6 +78,11 @@ registry! {
             Command 0x01, 0x0D, of 1,
             "tools.readings", "Readings",
             ["tools.readings_response"];
+        /// Poll (0x01,0x0E).
+        ToolsPoll(crate::tools::Poll):
+            Command 0x01, 0x0E, of 1,
+            "tools.poll", "Poll",
+            [];
         /// Settings response (0x01,0x82).
         ToolsSettingsResponse(crate::tools::SettingsResponse):
             Response 0x01, 0x82, of 1,

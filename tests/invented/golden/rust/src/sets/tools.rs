@@ -943,6 +943,59 @@ command! {
 }
 
 record! {
+    /// Poll (0x01,0x0E).
+    ///
+    /// Descriptors of a set that a parameter names, and of one that is always the same.
+    ///
+    /// Not listed in any device profile.
+    ///
+    /// The wire format also contains `count`: Number of fields. The number of elements of
+    /// [`descriptors`](Poll::descriptors).
+    ///
+    /// Source: guide: Formats.
+    #[derive(Default, Eq, Hash)]
+    pub struct Poll {
+        /// Data descriptor set.
+        ///
+        /// Range: 0x80 to 0xFE.
+        pub descriptor_set: u8,
+        /// Field descriptor.
+        ///
+        /// Refers to fields of Measurements. Default: 0x01.
+        pub first: u8,
+        /// Field descriptors.
+        ///
+        /// Refers to fields of [`descriptor_set`](Poll::descriptor_set).
+        pub descriptors: crate::List<u8, 250>,
+    }
+    wire 253 {
+        [descriptor_set]
+        [first]
+        [count: u8 counts descriptors]
+        [descriptors by count]
+    }
+}
+
+constructors! {
+    Poll
+
+    /// Creates the command from its parameters.
+    fn new(
+        descriptor_set: u8,
+        first: u8,
+        descriptors: impl Into<crate::List<u8, 250>>,
+    );
+}
+
+field! {
+    Poll: 0x01, 0x0E, "tools.poll";
+}
+
+command! {
+    Poll -> ();
+}
+
+record! {
     /// Settings response (0x01,0x82).
     ///
     /// Answers [`Settings`]. Supported by [Model A](crate::devices::MODEL_A), [Model

@@ -1,0 +1,219 @@
+"""What devices have in common, and where they differ: commands, data, rates, and the meaning of values.
+
+Tables have a column for each device of which fields are known. Of the others, too many for columns, a list says what
+they may have. What is not known of a device is told apart from what it does not have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TypeVar
+
+from ... import describe
+from ... import model as m
+from .devices import base_rate
+from .offsets import layout
+from .places import Page, label
+from .text import code, hexadecimal, inline, table
+
+YES = "yes"
+NO = "no"
+UNKNOWN = "?"
+NOT_GIVEN = "–"
+
+Key = TypeVar("Key")
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A part of a page that is a table."""
+
+    title: str
+    table: str
+
+
+# --------------------------------------------------------------------------- devices
+
+
+def compared(model: m.Model) -> list[m.Device]:
+    """The devices that have columns: those that certainly support something."""
+    return [d for d in _by_generation(model) if d.certain]
+
+
+def others(model: m.Model) -> list[m.Device]:
+    return [d for d in _by_generation(model) if not d.certain]
+
+
+def _by_generation(model: m.Model) -> list[m.Device]:
+    return sorted(model.devices, key=lambda d: (d.generation is None, d.generation or 0, d.id))
+
+
+def generations(page: Page) -> list[Section]:
+    """All devices, and how much is known of them."""
+    headings = [
+        "Device",
+        "Also called",
+        "Model number",
+        "Known",
+        "Commands",
+        "Data fields",
+        "Perhaps",
+        "Acknowledge codes",
+    ]
+    return [
+        Section(
+            "Generation not known" if generation is None else f"Generation {generation}",
+            table([_device(page, d) for d in found], headings),
+        )
+        for generation, found in groupby(_by_generation(page.model), key=lambda d: d.generation)
+    ]
+
+
+def _device(page: Page, d: m.Device) -> list[str]:
+    roles = [s.field.role for s in d.certain]
+    return [
+        page.link(d),
+        ", ".join(map(inline, d.also)),
+        "" if d.model_number is None else str(d.model_number),
+        known(d),
+        str(roles.count(m.COMMAND)),
+        str(roles.count(m.DATA)),
+        str(len(d.supports) - len(roles)),
+        ", ".join(map(str, d.ack_codes)) or UNKNOWN,
+    ]
+
+
+def known(d: m.Device) -> str:
+    """How much is known of a device."""
+    if not d.certain:
+        return "by name"
+    return "in part" if d.incomplete else "whole"
+
+
+# --------------------------------------------------------------------------- commands and data fields
+
+
+def fields(page: Page, role: m.Role) -> list[Section]:
+    """A table for each set: which devices support its commands or data fields, and with which functions."""
+    devices = compared(page.model)
+    support = {(d.id, s.field.full_name): s for d in devices for s in d.supports}
+
+    def row(f: m.Field) -> list[str]:
+        cells = [supported(d, support.get((d.id, f.full_name))) for d in devices]
+        measured = [", ".join(map(inline, units(f)))] if role == m.DATA else []
+        return [code(hexadecimal(f.descriptor)), page.link(f, inline(f.title)), *measured, *cells]
+
+    headings = ["Descriptor", "Field", *(["Units"] if role == m.DATA else []), *map(page.link, devices)]
+    found = [(s, [row(f) for f in s.fields if f.role == role]) for s in page.model.sets]
+    return [Section(label(s), table(rows, headings)) for s, rows in found if rows]
+
+
+def supported(d: m.Device, s: m.Support | None) -> str:
+    """What is known of a device and a field: its functions there, if it has any."""
+    if s is None:
+        return missing(d)
+    functions = code(m.letters(s.functions)) if s.functions else ""
+    certain = functions or YES if s.evidence is None else f"perhaps {functions}".strip()
+    return f"{certain}, deprecated" if s.deprecated else certain
+
+
+def missing(d: m.Device) -> str:
+    """What a device is not said to have; only of a whole profile that means that it does not have it."""
+    return UNKNOWN if d.incomplete else NO
+
+
+def units(f: m.Field) -> list[str]:
+    """The units in which a field measures."""
+    found = (u for row in layout(f) if row.parameter for u in row.parameter.units)
+    return list(dict.fromkeys(found))
+
+
+def perhaps(page: Page, role: m.Role) -> str:
+    """What the devices without columns may have; empty if there is nothing."""
+    rows = []
+    for d in others(page.model):
+        found = [s.field for s in d.supports if s.field.role == role]
+        generation = UNKNOWN if d.generation is None else str(d.generation)
+        rows.append([page.link(d), generation, page.links(found) or UNKNOWN])
+    return table(rows, ["Device", "Generation", "Perhaps"]) if any(row[2] != UNKNOWN for row in rows) else ""
+
+
+# --------------------------------------------------------------------------- rates, ports, limits
+
+
+def rates(page: Page) -> list[Section]:
+    """What limits how much a device can send."""
+    model = page.model
+    ports = dict.fromkeys(p.name for d in compared(model) for p in d.ports)
+    bauds = sorted({baud for d in compared(model) for p in d.ports for baud in p.baud_rates})
+    limits = dict.fromkeys(x.name for d in compared(model) for x in d.limits)
+    found = [
+        _matrix(page, "Base rates", "Set", [s for s in model.sets if s.kind == "data"], page.link, _rate),
+        _matrix(page, "Ports and their protocols", "Port", ports, inline, _port),
+        _matrix(page, "Baud rates", "Baud rate", bauds, str, _baud),
+        _matrix(page, "Limits", "Limit", limits, lambda name: inline(name.replace("_", " ")), _limit),
+    ]
+    return [s for s in found if s.table]
+
+
+def _matrix(
+    page: Page,
+    title: str,
+    of: str,
+    keys: Iterable[Key],
+    words: Callable[[Key], str],
+    cell: Callable[[m.Device, Key], str],
+) -> Section:
+    """A row for each key, a column for each device."""
+    devices = compared(page.model)
+    rows = [[words(key), *(cell(d, key) for d in devices)] for key in keys]
+    return Section(title, table(rows, [of, *map(page.link, devices)]) if rows else "")
+
+
+def _rate(d: m.Device, s: m.Set) -> str:
+    """Where a device has the set and no rate is given, the rate is not known."""
+    has = any(x.field.set == s.number for x in d.supports)
+    return base_rate(d, s) or (UNKNOWN if has else missing(d))
+
+
+def _port(d: m.Device, name: str) -> str:
+    for p in d.ports:
+        if p.name == name:
+            number = f"{code(hexadecimal(p.id))}: " if p.id is not None else ""
+            return number + (", ".join(map(inline, p.protocols)) or UNKNOWN)
+    return missing(d) if d.ports else UNKNOWN
+
+
+def _baud(d: m.Device, baud: int) -> str:
+    ports = [inline(p.name) for p in d.ports if baud in p.baud_rates]
+    return ", ".join(ports) or (missing(d) if d.ports else UNKNOWN)
+
+
+def _limit(d: m.Device, name: str) -> str:
+    found = next((x for x in d.limits if x.name == name), None)
+    if found is None:
+        return UNKNOWN if d.incomplete else NOT_GIVEN
+    return describe.number(found.value) + (f" {inline(found.unit)}" if found.unit else "")
+
+
+# --------------------------------------------------------------------------- the meaning of values
+
+
+def meanings(page: Page) -> str:
+    """The parameters that mean something else on some devices."""
+    rows = [
+        [page.link(f), code(p.name), page.say(said), page.links(devices)] for f, p, said, devices in _differing(page)
+    ]
+    return table(rows, ["Field", "Parameter", "Difference", "Devices"]) if rows else ""
+
+
+def _differing(page: Page) -> Iterator[tuple[m.Field, m.Parameter, describe.Text, list[m.Device]]]:
+    model = page.model
+    for f in (model.protocol.acknowledge, *model.fields):
+        for p in f.parameters:
+            for group, fact in describe.variants(p, f, model):
+                devices = [d for v in group if v.by_device and (d := model.device(v.key))]
+                if devices:
+                    yield f, p, fact.value, devices

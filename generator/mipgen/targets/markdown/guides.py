@@ -1,0 +1,272 @@
+"""Guides: their packets, the answers, the data that come, and the programs that do the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Literal
+
+from ... import codec, describe
+from ... import model as m
+from ...guided import Guide, Step, Stream
+from ...guided import Sequence as Steps
+from ...typical import Given
+from ..c import snippets as c
+from ..python import snippets as python
+from . import examples
+from .devices import hertz
+from .places import Page
+from .programs import Program
+from .text import code, inline, plain, spaced, table
+
+#: Longer packets stand with their step only, and not in the overview.
+SHORT = 36
+
+#: A UART needs so many bits for a byte.
+BITS = 10
+
+Role = Literal["command", "reply", "data"]
+
+
+def heading(guide: Guide) -> str:
+    """What somebody wants to do, as a title."""
+    return plain(guide.title[0].upper() + guide.title[1:])
+
+
+def named(page: Page, guide: Guide) -> list[str]:
+    """Links to the guides and fields that have to do with it."""
+    guides = {g.name: g for g in page.model.guides}
+    fields = [page.model.field(name) for name in guide.see if name not in guides]
+    return [page.link(guides[name]) for name in guide.see if name in guides] + [page.link(f) for f in fields if f]
+
+
+def with_field(page: Page, f: m.Field) -> list[Guide]:
+    """The guides that use a field in a step or in data."""
+    return [g for g in page.model.guides if any(f.full_name in _used(s.steps) for s in g.sequences)]
+
+
+def _used(steps: Iterable[Step]) -> set[str]:
+    """The full names of the fields that are sent and that come as data."""
+    return {f.full_name for step in steps for f in (step.command, *(x.field for t in step.data for x in t.fields))}
+
+
+# --------------------------------------------------------------------------- packets
+
+
+def overview(page: Page, steps: Steps) -> str:
+    """All packets of a sequence, ready to be sent, and their answers."""
+    rows = [
+        [str(i), f"{page.link(s.command)}{_function(s)}", _bytes(s.packet), _bytes(s.answer) or "none"]
+        for i, s in enumerate(steps.steps, 1)
+    ]
+    return table(rows, ["Step", "Command", "Send", "Answer"])
+
+
+def _function(step: Step) -> str:
+    function = _call(step).function
+    return f", {code(function.name)}" if function else ""
+
+
+def _bytes(packet: bytes) -> str:
+    return code(spaced(packet)) if len(packet) <= SHORT else f"{len(packet)} bytes, see the step"
+
+
+def title(step: Step) -> str:
+    function = _call(step).function
+    return inline(f"{step.command.title}, {function.name}" if function else step.command.title)
+
+
+def sent(page: Page, step: Step, steps: Steps) -> str:
+    """What each byte of a command is."""
+    return _table(page, "command", step.packet, [(step.command, step.values)], steps)
+
+
+def answered(page: Page, step: Step, steps: Steps) -> str:
+    """What each byte of the answer is."""
+    ack = page.model.protocol.acknowledge
+    fields = [(ack, codec.decode(ack, bytes([step.command.descriptor, 0]))[0])]
+    fields += [(step.response.field, step.response.values)] if step.response else []
+    return _table(page, "reply", step.answer, fields, steps)
+
+
+def come(page: Page, stream: Stream, steps: Steps) -> str:
+    """What each byte of a data packet is."""
+    return _table(page, "data", stream.packet, [(x.field, x.values) for x in stream.fields], steps)
+
+
+def _table(page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field, codec.Values]], steps: Steps) -> str:
+    parts = tuple(
+        m.ExampleField(f.full_name, f.descriptor, codec.encode(f, values), values, 0, None) for f, values in fields
+    )
+    shown = m.Example("", "", "", "", role, None, None, packet, parts, "", device=steps.devices[0])
+    return examples.packet_table(page, shown)
+
+
+# --------------------------------------------------------------------------- answers and data
+
+
+def surely(step: Step) -> str:
+    """Which values of the response every device gives."""
+    if step.response is None:
+        return ""
+    given = {p.name for p in step.response.field.parameters if not p.derived}
+    sure = [code(name) for name in step.response.stated if name in given]
+    if len(sure) == len(given):
+        return "The values are always these."
+    return f"Always as here: {', '.join(sure)}." if sure else "The values are an example."
+
+
+def streamed(page: Page, stream: Stream) -> str:
+    """How often packets of data come, and what is in them."""
+    fields = ", ".join(page.link(x.field) for x in stream.fields)
+    if stream.rate is not None:
+        often = "Once per second" if stream.rate == 1 else f"{describe.number(stream.rate)} times per second"
+    else:
+        often = inline(f"At {stream.on_event}") if stream.on_event else "Then"
+    return f"{often}, a packet of {page.link(stream.set)} comes with {fields}."
+
+
+def read(steps: Steps) -> list[m.Field]:
+    """The data fields that come, whose pages have programs that read them."""
+    return list({x.field.full_name: x.field for s in steps.streams for x in s.fields}.values())
+
+
+def rates(page: Page, steps: Steps) -> list[str]:
+    """How the rate of each stream comes about, on each device."""
+    found = {
+        f"{inline(d.title)}, {page.link(s.set)}: {hertz(r)} / {s.rate:g} Hz = decimation {r.hertz / s.rate:g}"
+        for d in steps.devices
+        for s in steps.streams
+        for r in d.base_rates
+        if s.rate and r.set.number == s.set.number and r.hertz
+    }
+    return sorted(found)
+
+
+def bandwidth(steps: Steps) -> str:
+    """What the streams need of a UART."""
+    streams = [s for s in steps.streams if s.rate]
+    if not streams:
+        return ""
+    each = [f"{_number(s.rate)} × {len(s.packet)}" for s in streams]
+    whole = sum((s.rate or 0) * len(s.packet) for s in streams)
+    fitting = _fitting(steps.devices[0], whole * BITS)
+    rate = (
+        f" On {inline(fitting[0])} of the {inline(steps.devices[0].title)}, use {fitting[1]} or more."
+        if fitting
+        else ""
+    )
+    return f"{' + '.join(each)} = {_number(whole)} bytes per second, which needs {_number(whole * BITS)} baud.{rate}"
+
+
+def _fitting(d: m.Device, bits: float) -> tuple[str, int] | None:
+    """The first port with baud rates, and the lowest of them that is enough."""
+    port = next((p for p in d.ports if p.baud_rates), None)
+    rate = min((r for r in port.baud_rates if r >= bits), default=None) if port else None
+    return (port.name, rate) if port and rate else None
+
+
+def _number(value: float | None) -> str:
+    return f"{value:,.6g}" if value is not None and value < 1e6 else f"{value:,.0f}"
+
+
+def doubts(page: Page, steps: Steps) -> list[str]:
+    """Why a device is only believed to take what the sequence uses."""
+    used = _used(steps.steps)
+    return [
+        f"It is not certain that the {page.link(d)} has {page.link(s.field)}: {page.prose(s.evidence)}"
+        for d in steps.devices
+        for s in d.supports
+        if s.evidence is not None and s.field.full_name in used
+    ]
+
+
+# --------------------------------------------------------------------------- programs
+
+
+def programs(page: Page, steps: Steps, guide: Guide) -> list[Program]:
+    """The same sequence in each language that has a target here."""
+    sent = [(s.command, _given(page, s)) for s in steps.steps]
+    name = guide.name if len(guide.sequences) == 1 else f"{guide.name}_{guide.sequences.index(steps) + 1}"
+    found = (c.sequence(name, sent), python.sequence(sent), page.index.rust.sequence(sent))
+    return [Program(*x) for x in zip(("C", "Python", "Rust"), ("c", "python", "rust"), found, strict=True)]
+
+
+def _given(page: Page, step: Step) -> Given:
+    return Given(page.model, _call(step), step.values)
+
+
+def _call(step: Step) -> m.Call:
+    function = step.values.get("function")
+    return next(x for x in step.command.calls if (x.function.value if x.function else None) == function)
+
+
+# --------------------------------------------------------------------------- tables
+
+
+def fact_table(page: Page, name: str) -> str:
+    """Facts of all devices: `guided.TABLES` has the names."""
+    return {"base_rates": _base_rates, "baud_rates": _baud_rates}[name](page)
+
+
+def _base_rates(page: Page) -> str:
+    devices = [d for d in page.model.devices if any(r.hertz for r in d.base_rates)]
+    sets = [s for s in page.model.sets if any(r.set.number == s.number for d in devices for r in d.base_rates)]
+    rows = [
+        [page.link(d), *(next((hertz(r) for r in d.base_rates if r.set.number == s.number), "") for s in sets)]
+        for d in devices
+    ]
+    return table(rows, ["Device", *(page.link(s) for s in sets)])
+
+
+def _baud_rates(page: Page) -> str:
+    rows = [
+        [page.link(d), inline(p.name), ", ".join(map(str, p.baud_rates))]
+        for d in page.model.devices
+        for p in d.ports
+        if p.baud_rates
+    ]
+    return table(rows, ["Device", "Port", "Baud rates"])
+
+
+def changes(page: Page, guide: Guide) -> str:
+    """What takes the place of the fields that the new device lacks."""
+    move = guide.migration
+    assert move is not None
+    rows = [
+        [page.links(x.fields), page.links(x.by) or "nothing", page.prose(x.note) if x.note else ""]
+        for x in move.changes
+    ]
+    return table(rows, [inline(move.before.title), inline(move.after.title), "What is different"])
+
+
+def meanings(page: Page, guide: Guide) -> str:
+    """The parameters that both devices have, but that do not mean the same on both."""
+    move = guide.migration
+    assert move is not None
+    both = {s.field.full_name for s in move.before.certain} & {s.field.full_name for s in move.after.certain}
+    told = [{v.path: v for v in d.variants} for d in (move.before, move.after)]
+    rows = []
+    for path in dict.fromkeys([*told[0], *told[1]]):
+        one = told[0].get(path) or told[1][path]
+        owner = next((x for x in page.model.commands(one.field)), one.field)
+        if owner.full_name in both and one.field.role != m.RESPONSE:
+            said = [_reading(page, t.get(path)) for t in told]
+            rows.append([page.link(one.field), code(one.parameter.name), *said])
+    return table(rows, ["Field", "Parameter", inline(move.before.title), inline(move.after.title)]) if rows else ""
+
+
+def _reading(page: Page, v: m.DeviceVariant | None) -> str:
+    return page.say(describe.difference(v.variant, v.parameter, v.field, page.model)) if v else "as on its page"
+
+
+def added(page: Page, guide: Guide) -> Iterator[str]:
+    """How many fields are new, set by set."""
+    move = guide.migration
+    assert move is not None
+    known = {s.field.full_name for s in move.before.supports} | {f.full_name for x in move.changes for f in x.by}
+    for s in page.model.sets:
+        new: Sequence[m.Field] = [
+            x.field for x in move.after.certain if x.field.set == s.number and x.field.full_name not in known
+        ]
+        if new:
+            yield f"{page.link(s)}: {', '.join(page.link(f, inline(f.title)) for f in new)}"

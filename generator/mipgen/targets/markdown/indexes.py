@@ -1,0 +1,140 @@
+"""Indexes: by descriptor, name, type, unit, symbol of a language, and by the names that the vendor uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ... import model as m
+from . import symbols, types
+from .comparison import Section
+from .offsets import layout
+from .parameters import parameter_anchor
+from .places import Page, label
+from .text import code, hexadecimal, inline, table
+
+
+def index(page: Page, name: str) -> list[Section]:
+    """One of `places.INDEXES`."""
+    if name in symbols.LANGUAGES:
+        return of_language(page, name)
+    return {"descriptors": descriptors, "names": names, "types": type_users, "units": units, "vendor": vendor}[name](
+        page
+    )
+
+
+def descriptors(page: Page) -> list[Section]:
+    """Every descriptor of every set in order, also those without a layout."""
+    headings = ["Descriptor", "Short", "Field", "Name", "Role"]
+    ack = page.model.protocol.acknowledge
+    acknowledge = Section("Every command set", table([_described(page, ack)], headings))
+    return [acknowledge, *(Section(label(s), table(_of_set(page, s), headings)) for s in page.model.sets)]
+
+
+def _of_set(page: Page, s: m.Set) -> list[list[str]]:
+    rows = [(f.descriptor, _described(page, f)) for f in s.fields]
+    for x in s.named:
+        link = page.link(s, inline(x.title))
+        rows.append((x.descriptor, [*_spelled(s.number, x.descriptor), link, code(f"{s.name}.{x.name}"), x.role]))
+    return [row for _, row in sorted(rows, key=lambda row: row[0])]
+
+
+def _described(page: Page, f: m.Field) -> list[str]:
+    return [*_spelled(f.set, f.descriptor), page.link(f, inline(f.title)), code(f.full_name), f.role]
+
+
+def _spelled(set_: int, descriptor: int) -> list[str]:
+    """Both ways of writing it; the acknowledge has no set of its own."""
+    one = hexadecimal(descriptor)
+    return [code(f"{hexadecimal(set_)},{one}"), code(f"{hexadecimal(set_)}{one[2:]}")] if set_ else [code(one), ""]
+
+
+# --------------------------------------------------------------------------- by letters
+
+
+def names(page: Page) -> list[Section]:
+    """Every field by its title."""
+    rows = [
+        (f.title, [page.link(f), code(f.full_name), f.role])
+        for f in (page.model.protocol.acknowledge, *page.model.fields)
+    ]
+    return lettered(rows, ["Field", "Name", "Role"])
+
+
+def type_users(page: Page) -> list[Section]:
+    """Every type, and what uses it."""
+    rows = [
+        (t.name, [page.link(t), inline(getattr(t, "owner", None) or ""), types.nature(t), users(page, t)])
+        for t in page.model.all_types
+    ]
+    return lettered(rows, ["Type", "Set", "Kind", "Used by"])
+
+
+def users(page: Page, t: m.Type) -> str:
+    return page.links(page.index.users(t))
+
+
+def vendor(page: Page) -> list[Section]:
+    """The names that others use for fields and devices."""
+    rows = [
+        (name, [code(name), page.link(f), code(f.full_name)])
+        for f in (page.model.protocol.acknowledge, *page.model.fields)
+        for name in f.also
+    ]
+    rows += [(name, [code(name), page.link(d), ""]) for d in page.model.devices for name in d.also]
+    return lettered(rows, ["Vendor's name", "Here", "Name"])
+
+
+def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str]) -> list[Section]:
+    """A table for each letter; what begins with a digit comes first."""
+    found: dict[str, list[Sequence[str]]] = {}
+    for word, row in sorted(rows, key=lambda row: (row[0].lower(), row[1])):
+        found.setdefault("0 to 9" if word[:1].isdigit() else word[:1].upper(), []).append(row)
+    return [Section(letter, table(group, headings)) for letter, group in found.items()]
+
+
+# --------------------------------------------------------------------------- by unit
+
+
+def units(page: Page) -> list[Section]:
+    """For each unit the parameters that have it, those of a device's own included."""
+    found: dict[str, list[list[str]]] = {u.symbol: [] for u in page.model.protocol.units}
+    for f in (page.model.protocol.acknowledge, *page.model.fields):
+        of_field: dict[str, dict[str, None]] = {}
+        for symbol, link in _measured(page, f):
+            of_field.setdefault(symbol, {})[link] = None
+        for symbol, links in of_field.items():
+            found[symbol].append([page.link(f), ", ".join(links)])
+    titles = {u.symbol: u for u in page.model.protocol.units}
+    return [
+        Section(f"{inline(symbol)}: {inline(titles[symbol].title)}", table(rows, ["Field", "Parameters"]))
+        for symbol, rows in found.items()
+        if rows
+    ]
+
+
+def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
+    """Units, and links to the parameters that have them."""
+    for row in layout(f):
+        if row.parameter is None:
+            continue
+        link = f"[{code(row.name)}]({page.url(f).partition('#')[0]}#{parameter_anchor(f, row)})"
+        own = (u for v in row.parameter.variants for u in v.units)
+        for symbol in dict.fromkeys((*row.parameter.units, *own)):
+            yield symbol, link
+
+
+# --------------------------------------------------------------------------- by symbol
+
+
+def of_language(page: Page, language: str) -> list[Section]:
+    """What a binding has for each field and type, a table for each set."""
+    headings = ["Symbol", "Field or type", "Functions and constants"]
+    found = symbols.LANGUAGES[language](page.model)
+    rows: dict[str, list[list[str]]] = {}
+    for x in found:
+        owner = x.thing.set_name if isinstance(x.thing, m.Field) else getattr(x.thing, "owner", None)
+        of = next((s for s in page.model.sets if s.name == owner), None)
+        rows.setdefault(label(of) if of else "Protocol and common types", []).append(
+            [code(x.name), page.link(x.thing), ", ".join(map(code, x.others))]
+        )
+    return [Section(title, table(group, headings)) for title, group in rows.items()]

@@ -1,0 +1,176 @@
+"""The comparison of devices says what the model says, and tells what is not known from what is not there."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from reference import Manual, number, seen, tables, words
+from support import model
+from test_reference_things import letters
+
+FIELD = re.compile(r"\]\([^)#]*#([\w.]+)\)")
+DEVICE = re.compile(r"\]\(\.\./devices/([^)/]+)\.md\)")
+
+
+def compared(manual: Manual) -> list[m.Device]:
+    return [d for d in manual.model.devices if d.certain]
+
+
+def missing(d: m.Device) -> str:
+    return "?" if d.incomplete else "no"
+
+
+def by_device(row: dict[str, str]) -> dict[str, str]:
+    return {found[1]: words(cell) for heading, cell in row.items() if (found := DEVICE.search(heading))}
+
+
+def matrix(manual: Manual, page: str, title: str) -> dict[str, dict[str, str]]:
+    """What the rows of a table say of each device."""
+    section = manual.page(page).partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+    return {words(next(iter(row.values()))): by_device(row) for t in tables(section) for row in t}
+
+
+def expected(d: m.Device, f: m.Field) -> str:
+    s = next((s for s in d.supports if s.field == f), None)
+    if s is None:
+        return missing(d)
+    said = letters(s.functions) or ("" if s.evidence else "yes")
+    return f"{'perhaps ' if s.evidence else ''}{said}".strip() + (", deprecated" if s.deprecated else "")
+
+
+@pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
+def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
+    """Every command and data field once, with a cell for every device of which any is known."""
+    text = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0]
+    shown = {FIELD.findall(row["Field"])[0]: row for t in tables(text) for row in t}
+    fields = [f for f in manual.model.fields if f.role == role]
+    assert list(shown) == [f.full_name for f in fields]
+    for f in fields:
+        row = shown[f.full_name]
+        assert words(row["Descriptor"]) == f"0x{f.descriptor:02X}" and words(row["Field"]) == f.title
+        assert by_device(row) == {d.id: expected(d, f) for d in compared(manual)}, f.full_name
+    assert re.findall(r"^## (.*)$", text, re.M) == [
+        f"{s.title} (0x{s.number:02X})" for s in manual.model.sets if any(f.role == role for f in s.fields)
+    ]
+
+
+@pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
+def test_what_other_devices_may_support(manual: Manual, page: str, role: str) -> None:
+    text = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[2]
+    others = [d for d in manual.model.devices if not d.certain]
+    rows = {DEVICE.findall(row["Device"])[0]: row for t in tables(text) for row in t}
+    wanted = {d.id: [s.field.full_name for s in d.supports if s.field.role == role] for d in others}
+    assert sorted(DEVICE.findall(text)) == sorted(wanted)
+    assert bool(rows) == any(wanted.values())
+    for d in others if rows else ():
+        assert words(rows[d.id]["Generation"]) == str(d.generation or "?")
+        assert FIELD.findall(rows[d.id]["Perhaps"]) == wanted[d.id]
+        assert wanted[d.id] or rows[d.id]["Perhaps"] == "?"
+
+
+def test_what_is_not_known_is_not_denied() -> None:
+    of = model("real")
+    gnss, attitude = of.device("3dm-cv7-gnss-ins"), of.device("3dm-cv7-ar")
+    poll = of.field("3dm.poll_imu_data")
+    assert gnss and attitude and poll
+    assert (expected(gnss, poll), expected(attitude, poll)) == ("no", "?")
+
+
+def test_units_of_data(manual: Manual) -> None:
+    for row in (row for t in tables(manual.page("compare/data.md")) for row in t):
+        f = manual.model.field(FIELD.findall(row.get("Field", ""))[0]) if "Field" in row else None
+        if f is not None:
+            own = {u for p in f.parameters for u in p.units}
+            assert own <= set(words(row.get("Units", "")).split(", ")) | {""}, f.full_name
+
+
+def test_overview(manual: Manual) -> None:
+    page = manual.page("compare/overview.md")
+    found = []
+    for part in page.split("\n## ")[1:]:
+        title = part.partition("\n")[0]
+        for row in (row for t in tables(part) for row in t):
+            d = manual.model.device(DEVICE.findall(row["Device"])[0])
+            assert d is not None
+            assert title == (f"Generation {d.generation}" if d.generation is not None else "Generation not known")
+            roles = [s.field.role for s in d.certain]
+            known = "by name" if not roles else "in part" if d.incomplete else "whole"
+            said = {key: words(cell) for key, cell in row.items()}
+            assert said["Known"] == known and said.get("Also called", "") == ", ".join(d.also)
+            assert said.get("Model number", "") == str(d.model_number or "")
+            counts = [roles.count(m.COMMAND), roles.count(m.DATA), len(d.supports) - len(roles)]
+            assert [int(said[key]) for key in ("Commands", "Data fields", "Perhaps")] == counts
+            assert said["Acknowledge codes"] == (", ".join(map(str, d.ack_codes)) or "?")
+            found.append(d.id)
+    assert sorted(found) == sorted(d.id for d in manual.model.devices)
+
+
+def test_rates(manual: Manual) -> None:
+    rows = matrix(manual, "compare/rates.md", "Base rates")
+    sets = [s for s in manual.model.sets if s.kind == "data"]
+    assert list(rows) == [f"{s.title} (0x{s.number:02X})" for s in sets]
+    for s, row in zip(sets, rows.values(), strict=True):
+        for d in compared(manual):
+            rate = next((r.hertz for r in d.base_rates if r.set == s), None)
+            has = any(x.field.set == s.number for x in d.supports)
+            unknown = "?" if has else missing(d)
+            assert row[d.id] == (unknown if rate is None else f"{rate:g} Hz" if rate else "sent as it arrives")
+
+
+def test_ports(manual: Manual) -> None:
+    ports = matrix(manual, "compare/rates.md", "Ports and their protocols")
+    bauds = matrix(manual, "compare/rates.md", "Baud rates")
+    assert set(ports) == {p.name for d in compared(manual) for p in d.ports}
+    assert list(map(int, bauds)) == sorted({b for d in compared(manual) for p in d.ports for b in p.baud_rates})
+    for d in compared(manual):
+        absent = missing(d) if d.ports else "?"
+        own = {p.name: p for p in d.ports}
+        for name, row in ports.items():
+            p = own.get(name)
+            number_ = f"0x{p.id:02X}: " if p and p.id is not None else ""
+            assert row[d.id] == (number_ + (", ".join(p.protocols) or "?") if p else absent)
+        for baud, row in bauds.items():
+            assert row[d.id] == (", ".join(p.name for p in d.ports if int(baud) in p.baud_rates) or absent)
+
+
+def test_limits(manual: Manual) -> None:
+    rows = matrix(manual, "compare/rates.md", "Limits")
+    assert set(rows) == {x.name.replace("_", " ") for d in compared(manual) for x in d.limits}
+    for name, row in rows.items():
+        for d in compared(manual):
+            said = [f"{x.value:.15g} {x.unit or ''}".strip() for x in d.limits if x.name.replace("_", " ") == name]
+            assert row[d.id] == (said[0] if said else "?" if d.incomplete else "–")
+
+
+def test_meanings(manual: Manual) -> None:
+    """Each parameter that differs on a device has a row that names the device, and nothing else has one."""
+    rows = [row for t in tables(manual.page("compare/meanings.md")) for row in t]
+    said = {
+        (words(row["Field"]), words(row["Parameter"]), words(row["Difference"]), device)
+        for row in rows
+        for device in DEVICE.findall(row["Devices"])
+    }
+    wanted = {
+        (
+            f"{v.field.title} {number(v.field)}",
+            v.parameter.name,
+            seen(describe.difference(v.variant, v.parameter, v.field, manual.model)),
+            d.id,
+        )
+        for d in manual.model.devices
+        for v in d.variants
+    }
+    assert said == wanted
+
+
+def test_pages_lead_to_each_other(manual: Manual) -> None:
+    pages = ["overview", "commands", "data", "rates", "meanings"]
+    for name in pages:
+        first = manual.page(f"compare/{name}.md").split("\n\n")[1]
+        assert re.findall(r"\]\((\w+)\.md\)", first) == [other for other in pages if other != name]
+    for d in manual.model.devices:
+        page = manual.page(f"devices/{d.id}.md")
+        assert re.findall(rf"\.\./compare/(\w+)\.md\?devices={d.id}\)", page) == pages[1:]

@@ -1,0 +1,253 @@
+"""The pages of guides: every packet and answer is there, and the programs send just these packets."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+from mipgen import codec
+from mipgen.guided import Guide, Sequence
+from mipgen.typical import Typical
+from reference import Manual, cells, path_of, prose, tables, words
+from support import BUILD, SPECS, need
+from test_reference_programs import C_HEAD, PY_HEAD, RUST_HEAD, reply, run, rust_bytes
+
+Play = tuple[str, Guide, Sequence]
+
+
+def plays(manual: Manual) -> list[Play]:
+    """Every sequence, and the name of its program."""
+    return [
+        (g.name if len(g.sequences) == 1 else f"{g.name}_{i}", g, s)
+        for g in manual.model.guides
+        for i, s in enumerate(g.sequences, 1)
+    ]
+
+
+def page_of(manual: Manual, guide: Guide) -> str:
+    return manual.page(f"guides/{guide.name}.md")
+
+
+def part_of(manual: Manual, guide: Guide, sequence: Sequence) -> str:
+    """What the page says of one sequence."""
+    number = guide.sequences.index(sequence) + 1
+    rest = page_of(manual, guide).partition(f'<a id="{guide.name}.{number}"></a>\n\n')[2]
+    return rest[:3] + re.split(r"^## ", rest[3:], maxsplit=1, flags=re.M)[0]
+
+
+def spaced(data: bytes) -> str:
+    return data.hex(" ").upper()
+
+
+@pytest.fixture
+def generated(manual: Manual, request: pytest.FixtureRequest) -> Path:
+    return SPECS[request.node.callspec.params["manual"]][1]
+
+
+# --------------------------------------------------------------------------- pages
+
+
+def test_the_first_screen_has_the_packets(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        part = part_of(manual, guide, sequence)
+        rows = next(tables(part))
+        assert [row["Step"] for row in rows] == [str(i + 1) for i in range(len(sequence.steps))]
+        for row, step in zip(rows, sequence.steps, strict=True):
+            sent, answer = words(row["Send"]), words(row["Answer"])
+            assert sent in (spaced(step.packet), f"{len(step.packet)} bytes, see the step")
+            assert answer in (spaced(step.answer), f"{len(step.answer)} bytes, see the step", "none")
+            assert words(row["Command"]).startswith(step.command.title)
+        before = page_of(manual, guide).partition(f'<a id="{guide.name}.1"></a>')[0]
+        assert len(before.splitlines()) <= 20, f"{guide.name}: the packets are far from the beginning"
+
+
+def test_every_step_is_told(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        blocks = re.findall(r"^```text\n(.*?)\n```$", part_of(manual, guide, sequence), re.M | re.S)
+        wanted = []
+        for step in sequence.steps:
+            wanted += [step.packet, *([step.answer] if step.answer else []), *(d.packet for d in step.data)]
+            assert prose(step.why, manual.model) in words(part_of(manual, guide, sequence))
+        assert blocks == [spaced(w) for w in wanted]
+        for packet in wanted:
+            codec.split(manual.model, packet)
+
+
+def test_tables_of_bytes_are_whole(manual: Manual) -> None:
+    """The bytes of each table are those of the packet above it."""
+    for guide in manual.model.guides:
+        text = page_of(manual, guide)
+        folded = re.findall(
+            r"^```text\n([^`]*?)\n```\n\n<details markdown=\"1\">\n.*?\n\n(.*?)\n\n</details>", text, re.M | re.S
+        )
+        assert len(folded) == len(re.findall(r"^```text$", text, re.M))
+        for packet, rows in folded:
+            bytes_ = [words(cells(line)[0]) for line in rows.split("\n")[2:]]
+            assert " ".join(bytes_) == packet
+
+
+def test_question_answer_and_sources(manual: Manual) -> None:
+    for guide in manual.model.guides:
+        text = words(page_of(manual, guide))
+        for said in (guide.question, guide.answer, *guide.before, *guide.notes):
+            assert prose(said, manual.model) in text, said
+        for source in guide.sources:
+            assert f"{source.manual}: {source.section}" in text
+
+
+def test_the_contents_begin_with_the_guides(manual: Manual) -> None:
+    for start in ("README.md", "docs/index.md"):
+        section = manual.pages[start].partition("\n## I want to …\n\n")[2].partition("\n\n")[0]
+        assert [words(line[2:]) for line in section.split("\n")] == [g.title for g in manual.model.guides]
+        assert manual.pages[start].index("\n## I want to …\n") == manual.pages[start].index("\n## ")
+
+
+def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:
+    for guide in manual.model.guides:
+        if guide.migration is None:
+            continue
+        had, has = ({s.field.full_name for s in d.supports} for d in (guide.migration.before, guide.migration.after))
+        told = page_of(manual, guide).partition("## What takes the place of what")[2].partition("\n## ")[0]
+        assert {f"#{name})" for name in had - has} <= set(re.findall(r"#[\w.]+\)", told))
+
+
+def test_rates_and_bandwidth(manual: Manual) -> None:
+    """The formula of the manuals: 60 f + 10 (s1 f1 + s2 f2 + ...)."""
+    for _, guide, sequence in plays(manual):
+        part = words(part_of(manual, guide, sequence))
+        baud = 0.0
+        for stream in sequence.streams:
+            if stream.rate:
+                lengths = sum(len(data) + 2 for _, data in codec.split(manual.model, stream.packet))
+                baud += 60 * stream.rate + 10 * lengths * stream.rate
+                often = "Once per second" if stream.rate == 1 else f"{stream.rate} times per second"
+                assert f"{often}, a packet of {stream.set.title}" in part
+                for d in sequence.devices:
+                    base = next(r.hertz for r in d.base_rates if r.set.name == stream.set.name)
+                    assert f"{base} Hz / {stream.rate} Hz = decimation {base / stream.rate:g}" in part
+        assert (f"which needs {baud:,.6g} baud." in part) == bool(baud)
+
+
+def test_fields_name_their_guides(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
+            told = re.findall(r"^Used in the guides: (.*)\.$", manual.page(path_of(f)), re.M)
+            assert f"guides/{guide.name}.md)" in told[0], f.full_name
+
+
+# --------------------------------------------------------------------------- programs
+
+
+def program(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
+    """What a program needs, and what it does."""
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
+    needs, _, body = block.partition("\n\n")
+    return needs.splitlines(), body
+
+
+def questions(manual: Manual) -> dict[str, str]:
+    """What a client may ask by itself, and the answer: the settings that decide whether a command is acknowledged."""
+    found = {}
+    for _, _, sequence in plays(manual):
+        for f in (manual.model.field(c.command or "") for s in sequence.steps for c in s.command.silenced_by):
+            assert f is not None
+            call = next(c for c in f.calls if c.function and c.function.responds)
+            packet = Typical(manual.model).packet(f, call)
+            found[packet.hex()] = reply(manual, packet).hex()
+    return found
+
+
+def check(manual: Manual, output: str) -> None:
+    """Each line: the name of a program, and what it sent, or that it came to its end."""
+    found: dict[str, list[str]] = {}
+    own = {s.packet.hex() for _, _, sequence in plays(manual) for s in sequence.steps}
+    for line in output.splitlines():
+        name, what = line.split()
+        if what not in questions(manual).keys() - own:
+            found.setdefault(name, []).append(what)
+    for name, _, sequence in plays(manual):
+        assert found.get(name) == [*(s.packet.hex() for s in sequence.steps), "done"], name
+
+
+def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    includes, functions, calls = set(), [], []
+    for play in plays(manual):
+        needs, body = program(manual, play, "c")
+        includes |= set(needs)
+        assert f"struct mip_result {play[0]}(struct mip_device *device)" in body
+        functions.append("static " + body)
+        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
+        calls.append(
+            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
+            f'done = mip_succeeded({play[0]}(device)); if (done) printf("%s done\\n", name); }}'
+        )
+    source = tmp_path / "guides.c"
+    begin = "mip_device_init(device, &port, NULL, 0);"
+    source.write_text(
+        "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin, *calls, "return 0; }"]), "utf-8"
+    )
+    flags = ["-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+    library = sorted((generated / "c/src/mip").glob("*.c"))
+    run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "guides")
+    check(manual, run(tmp_path / "guides"))
+
+
+def test_guides_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    functions, calls, answers = [], [], {}
+    for play in plays(manual):
+        needs, body = program(manual, play, "python")
+        lines = textwrap.indent("\n".join([*needs, body]), "    ")
+        functions.append(f"def {play[0]}(device: Device) -> None:\n{lines}\n")
+        for step in play[2].steps:
+            assert answers.setdefault(step.packet.hex(), step.answer.hex()) == step.answer.hex(), step.command.full_name
+        calls.append(f'    name = "{play[0]}"\n    {play[0]}(device)\n    print(name, "done", file=sys.stderr)\n')
+    main = (
+        "if __name__ == '__main__':\n    device = Device(Port())\n"
+        + "".join(calls)
+        + "    import os\n\n    os._exit(0)\n"
+    )
+    answers = {**questions(manual), **answers}
+    path = tmp_path / "guides.py"
+    path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
+    (tmp_path / "answers.json").write_text(json.dumps(answers))
+    done = subprocess.run(
+        [sys.executable, path, tmp_path / "answers.json"],
+        env={**os.environ, "PYTHONPATH": str(generated / "python")}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-4000:]
+    check(manual, done.stderr)
+    run(
+        sys.executable, "-m", "mypy", "--strict", "--cache-dir", BUILD / f"docs/mypy-guides-{generated.name}", path,
+        MYPYPATH=str(generated / "python"),
+    )  # fmt: skip
+
+
+def test_guides_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    functions, calls = [], []
+    for play in plays(manual):
+        needs, body = program(manual, play, "rust")
+        lines = "\n".join([*needs, body])
+        functions.append(f"fn {play[0]}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
+        answers = ", ".join(rust_bytes(s.answer) for s in play[2].steps)
+        calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
+    source = tmp_path / "guides.rs"
+    source.write_text("\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"]), "utf-8")
+    features = re.findall(
+        r"^([\w-]+) = \[", (generated / "rust/Cargo.toml").read_text("utf-8").partition("[features]")[2], re.M
+    )
+    left_out = ("defmt", "serde", "embedded-io", "embedded-io-async", "core-error", "default")
+    flags = [flag for x in features if x not in left_out for flag in ("--cfg", f'feature="{x}"')]
+    rustc = [need("rustc"), "--edition", "2021", "-C", "debuginfo=0", "--cap-lints", "allow"]
+    library = tmp_path / "libmip_protocol.rlib"
+    crate = ["--crate-name", "mip_protocol", "--crate-type", "lib", *flags, generated / "rust/src/lib.rs"]
+    run(*rustc, *crate, "-o", library)
+    run(*rustc, "--extern", f"mip_protocol={library}", source, "-o", tmp_path / "guides")
+    done = subprocess.run([tmp_path / "guides"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-3000:]
+    check(manual, done.stderr)

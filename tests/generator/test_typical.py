@@ -1,0 +1,126 @@
+"""Typical values: what documentation shows is what a user would send or see."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import struct
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import pytest
+from mipgen import codec, descriptors
+from mipgen import model as m
+from mipgen.typical import Typical
+from support import model
+
+#: What the real specification does not state, and why a simple number is right there.
+MADE_UP: dict[str, str] = {}
+
+
+@cache
+def typical(spec: str) -> Typical:
+    return Typical(model(spec))
+
+
+def every(spec: str) -> Iterator[tuple[m.Field, m.Call, codec.Values]]:
+    for f in model(spec).fields:
+        for call in f.calls:
+            yield f, call, typical(spec).values(f, call)
+
+
+def leaves(
+    parameters: tuple[m.Parameter, ...], values: codec.Values
+) -> Iterator[tuple[m.Parameter, Any, codec.Values]]:
+    """Parameters with their values and the record that they are in, those of structures and unions, too."""
+    for p in parameters:
+        if p.name not in values:
+            continue
+        value = values[p.name]
+        if isinstance(p.element, m.Struct):
+            for one in value if isinstance(value, list) else [value]:
+                yield from leaves(p.element.parameters, one)
+        elif p.cases:
+            yield from leaves(tuple(c.parameter for c in p.cases if c.parameter), value)
+        yield p, value, values
+
+
+def numbers(value: Any) -> list[float]:
+    """Floats, from their bits."""
+    if isinstance(value, list):
+        return [x for one in value for x in numbers(one)]
+    raw = [bytes.fromhex(value[2:])]
+    return [struct.unpack(">f" if len(x) == 4 else ">d", x)[0] for x in raw]
+
+
+def test_nothing_is_made_up() -> None:
+    found = {f"{f.full_name}.{path}": "" for f, call, _ in every("real") for path in typical("real").made_up(f, call)}
+    assert found.keys() == MADE_UP.keys()
+
+
+def test_what_is_made_up_is_said() -> None:
+    f = model("invented").field("tools.list")
+    assert f is not None and typical("invented").made_up(f, f.calls[0]) == ["items"]
+
+
+@pytest.mark.parametrize("spec", ["real", "invented"])
+def test_they_are_within_their_ranges(spec: str) -> None:
+    for f, call, values in every(spec):
+        codec.encode(f, values)
+        assert {p.name for p in call.required if p.constant is None} | ({"function"} if f.selector else set()) == {
+            *values
+        }
+        whole = typical(spec).whole(f, call)
+        codec.encode(f, ({"function": call.function.value} if call.function else {}) | whole)
+        for p, value, _ in leaves(f.parameters, whole) if spec == "real" else ():  # examples of the other break rules
+            scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+            if not isinstance(scalar, m.Scalar) or (isinstance(value, str) and scalar.kind == "char"):
+                continue
+            found = numbers(value) if scalar.kind == "float" else value if isinstance(value, list) else [value]
+            for number in found:
+                where = f"{f.full_name}.{p.name} = {number}"
+                assert p.minimum is None or number >= p.minimum or math.isclose(number, p.minimum, rel_tol=1e-6), where
+                assert p.maximum is None or number <= p.maximum or math.isclose(number, p.maximum, rel_tol=1e-6), where
+                assert (p.above is None or number > p.above) and (p.below is None or number < p.below), where
+
+
+def test_rotations_are_rotations() -> None:
+    """Quaternions have the norm 1; matrices that turn vectors, columns of length 1 at right angles."""
+    seen = set()
+    for f, _, values in every("real"):
+        for p, value, _ in leaves(f.parameters, values):
+            if not isinstance(p.element, m.Vector) or "uncertainty" in f"{f.name} {p.name}":
+                continue
+            found = numbers(value)
+            if p.element.name == "quatf":
+                assert math.isclose(math.hypot(*found), 1, abs_tol=1e-5), f.full_name
+                seen.add("quatf")
+            elif p.name in ("dcm", "m") and p.element.name == "matrix3f":
+                rows = [found[0:3], found[3:6], found[6:9]]
+                for (i, a), (j, b) in itertools.product(enumerate(rows), repeat=2):
+                    assert math.isclose(sum(x * y for x, y in zip(a, b)), i == j, abs_tol=1e-3), f.full_name
+                seen.add("matrix3f")
+    assert seen == {"quatf", "matrix3f"}
+
+
+def test_descriptors_are_known() -> None:
+    """What a typical value names is there, but for numbers with a meaning of their own: 0 is often all."""
+    of, seen = model("real"), 0
+    for f, _, values in every("real"):
+        for p, value, record in leaves(f.parameters, values):
+            number = descriptors.set_of(p, record, of)
+            for one in value if isinstance(value, list) else [value]:
+                if p.shown == "set" and one >= 0x80:
+                    assert descriptors.meant(p, one, None, of), f.full_name
+                    seen += 1
+                if p.shown == "field" and number is not None:
+                    assert number < 0x80 or one == 0 or descriptors.meant(p, one, number, of), (f.full_name, one)
+                    seen += 1
+    assert seen > 30
+
+
+def test_what_a_reader_would_send() -> None:
+    f = model("real").field("3dm.message_format")
+    assert f is not None
+    assert typical("real").packet(f).hex() == "75650c0b0b0f01800204000a05000aab00"

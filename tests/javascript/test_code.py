@@ -1,0 +1,167 @@
+"""The programs of the builder are those on the pages of the reference, which are compiled and run there."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+import struct
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen import codec
+from mipgen import model as m
+from mipgen.targets.c import snippets as c
+from mipgen.targets.python import snippets as python
+from mipgen.targets.rust.snippets import Snippets
+from mipgen.typical import Typical
+from strategies import drawn
+from support import SPECS, heavy, model, need
+
+#: It needs Node.
+pytestmark = [] if shutil.which("node") else heavy("node")
+
+HERE = Path(__file__).parent
+
+
+def programs(spec: str, calls: dict[str, Any], folder: Path) -> dict[str, dict[str, str]]:
+    """What the builder writes for these calls: function selectors, for typical values, or whole values."""
+    path = folder / "calls.json"
+    path.write_text(json.dumps(calls))
+    command = [need("node"), HERE / "programs.mjs", SPECS[spec][1] / "javascript", path]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    found: dict[str, dict[str, str]] = json.loads(done.stdout)
+    return found
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_typical_values_of_every_command_and_field(spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    typical, rust = Typical(of), Snippets(Typical(of))
+    asked = [f for f in of.fields if f.role != m.RESPONSE]
+    calls = {
+        f.full_name: [x.function and x.function.value for x in typical.shown(f)] if f.role == m.COMMAND else None
+        for f in asked
+    }
+    found = programs(spec, calls, tmp_path)
+    for f in asked:
+        if f.role == m.COMMAND:
+            wanted = (c.command(f, typical), python.command(f, typical), rust.command(f))
+        else:
+            wanted = (c.data(f), python.data(f), rust.data(f))
+        assert found[f.full_name] == dict(zip(("c", "python", "rust"), wanted, strict=True)), f.full_name
+
+
+# --------------------------------------------------------------------------- other values
+
+
+class Given(Typical):
+    """These values in place of typical ones."""
+
+    def __init__(self, of: m.Model, given: codec.Values) -> None:
+        super().__init__(of)
+        object.__setattr__(self, "given", given)
+
+    def values(self, f: m.Field, call: m.Call) -> codec.Values:
+        found: codec.Values = self.given  # type: ignore[attr-defined]
+        return found
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        function = self.given.get("function") if f.selector else None  # type: ignore[attr-defined]
+        return [c for c in f.calls if (c.function and c.function.value) == function]
+
+
+def writable(op: m.Operation, value: Any) -> Any:
+    """A value that every language can write: printable, finite, not more than JSON keeps; bools are 0 or 1."""
+    match op:
+        case m.ScalarOp(scalar=scalar) if scalar.kind == "float":
+            raw = bytes.fromhex(value[2:])
+            number = struct.unpack(">f" if op.size == 4 else ">d", raw)[0]
+            return value if math.isfinite(number) else "0x" + bytes(op.size).hex()
+        case m.ScalarOp(scalar=scalar):
+            return value & 1 if scalar.kind == "bool" else value >> 11 if op.size == 8 else value
+        case m.TextOp():
+            return "".join(chr(33 + ord(x) % 90) for x in value)
+        case m.ArrayOp():
+            return [writable(op.item, x) for x in value]
+        case m.StructOp():
+            found = record(op.struct.operations, value)
+            return found | {
+                p.name: found[p.name] if p.reserved is None else reserved(p)
+                for p in op.struct.parameters
+                if p.name in found
+            }
+        case m.SwitchOp():
+            return record(tuple(c.operation for c in op.cases if c.operation), value)
+    return value
+
+
+def record(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
+    flat = {x.member: x for op in operations for x in (op.body if isinstance(op, m.GroupOp) else (op,))}  # type: ignore[union-attr]
+    return {name: writable(flat[name], value) for name, value in values.items()}
+
+
+def others(of: m.Model, count: int) -> Iterator[tuple[m.Field, codec.Values]]:
+    """Random values of commands, without optional ones; unions have the member that their tag selects."""
+    for f in of.fields:
+        if f.role != m.COMMAND:
+            continue
+        for values in drawn(f, count):
+            call = next((c for c in f.calls if (c.function and c.function.value) == values.get("function")), None)
+            if f.selector and (call is None or call.function is None):
+                continue
+            assert call is not None
+            wanted = {p.name for p in call.required if p.constant is None} | ({"function"} if f.selector else set())
+            found = record(f.operations, {k: v for k, v in values.items() if k in wanted})
+            unions = [p for p in call.required if p.cases]
+            known = all(found[p.name] or found[str(p.tag)] in [c.tag.value for c in p.cases] for p in unions)
+            if found.keys() == wanted and known:
+                yield f, found | {p.name: reserved(p) for p in call.required if p.reserved is not None}
+
+
+def reserved(p: m.Parameter) -> Any:
+    """What constructors set."""
+    return codec.canonical(p.operation, p.reserved if p.length is None else [p.reserved] * int(p.length), p.name)
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_other_values(spec: str, tmp_path: Path) -> None:
+    """The same text as the generator writes, which compiles what it writes for typical values; Python is run."""
+    of, seen, bodies = model(spec), 0, []
+    for round_ in range(3):
+        chosen = {f.full_name: (f, values) for f, values in others(of, 3 + round_)}
+        found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
+        for name, (f, values) in chosen.items():
+            given = Given(of, values)
+            wanted = (c.command(f, given), python.command(f, given), Snippets(given).command(f))
+            assert found[name] == dict(zip(("c", "python", "rust"), wanted, strict=True)), name
+            bodies.append((f, values, found[name]["python"]))
+            seen += 1
+    assert seen > (200 if spec == "real" else 20)
+    run_python(spec, bodies)
+
+
+def run_python(spec: str, bodies: list[tuple[m.Field, codec.Values, str]]) -> None:
+    """What the programs send is what the reference codec encodes."""
+    script = [
+        "class Device:",
+        "    def request(self, command):",
+        "        print(command.encode().hex())",
+        "device = Device()",
+    ]
+    for _, _, text in bodies:
+        script.append(text.replace("print(response)", ""))
+    environment = {**os.environ, "PYTHONPATH": str(SPECS[spec][1] / "python")}
+    done = subprocess.run(
+        [sys.executable, "-"], input="\n".join(script), capture_output=True, text=True, env=environment, check=False
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    sent = done.stdout.split("\n")
+    for (f, values, text), data in zip(bodies, sent, strict=False):
+        assert data == codec.encode(f, values).hex(), (f.full_name, text)

@@ -1,0 +1,119 @@
+"""Each guide, played on the virtual device of each device that it names: answers and data are as it says."""
+
+from __future__ import annotations
+
+import itertools
+import struct
+import sys
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import pytest
+from mipgen import codec, guided
+from mipgen import model as m
+from mipgen.guided import Sequence, Step, Stream
+from support import ROOT, model
+
+sys.path.insert(0, str(ROOT / "generated/python"))
+
+from mip_protocol import Parser
+from mip_protocol.simulator.device import VirtualDevice
+
+#: Seconds for which data are counted.
+LONG = 3.0
+
+#: The simulator knows no signals from outside, which would make the device send these.
+UNTRIED = {("events_and_gpio", "A packet of data at each falling edge of GPIO 1")}
+
+Played = tuple[guided.Guide, Sequence, m.Device]
+
+
+def played() -> list[Played]:
+    return [(g, s, d) for g in model("real").guides for s in g.sequences for d in s.devices]
+
+
+class Conversation:
+    """A host and a device, in simulated time."""
+
+    def __init__(self, device: m.Device) -> None:
+        self.virtual = VirtualDevice(device.id)
+        self.link = self.virtual.connect()
+        self.parser = Parser()
+
+    def packets(self, seconds: float) -> Iterator[bytes]:
+        self.virtual.advance(seconds)
+        return (bytes(p) for p in self.parser.feed(self.link.read()))
+
+    def ask(self, packet: bytes, timeout: float) -> bytes:
+        """The first packet of the command's set that comes back."""
+        self.link.write(packet)
+        for _ in range(round(timeout / 0.01)):
+            found = [p for p in self.packets(0.01) if p[2] == packet[2]]
+            if found:
+                return found[0]
+        raise AssertionError(f"no answer to {packet.hex(' ')}")
+
+
+def fields(packet: bytes) -> list[tuple[int, bytes]]:
+    return codec.split(model("real"), packet)
+
+
+def number(value: Any) -> Any:
+    """Floats are the hexadecimal of their bits; other values are as they are."""
+    if isinstance(value, str) and value.startswith("0x"):
+        raw = bytes.fromhex(value[2:])
+        return pytest.approx(struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0], abs=1e-5)
+    return [number(v) for v in value] if isinstance(value, list) else value
+
+
+def plain(value: Any) -> Any:
+    if isinstance(value, str) and value.startswith("0x"):
+        raw = bytes.fromhex(value[2:])
+        return struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0]
+    return [plain(v) for v in value] if isinstance(value, list) else value
+
+
+def check_answer(step: Step, answer: bytes) -> None:
+    """An acknowledge, then the response, whose stated values are as stated."""
+    acknowledge, *rest = fields(answer)
+    assert acknowledge == (0xF1, bytes([step.command.descriptor, 0])), answer.hex(" ")
+    if step.response is None:
+        assert answer == step.answer
+        return
+    ((descriptor, data),) = rest
+    f = step.response.field
+    assert descriptor == f.descriptor
+    values, trailing = codec.decode(f, data)
+    assert trailing == 0
+    for name in step.response.stated:
+        assert plain(values[name]) == number(step.response.values[name]), name
+
+
+def once(descriptors: Iterable[int]) -> list[int]:
+    """A field that tells of several things comes once for each of them."""
+    return [d for d, _ in itertools.groupby(descriptors)]
+
+
+def check_data(streams: tuple[Stream, ...], packets: list[bytes]) -> None:
+    for stream in streams:
+        own = [p for p in packets if p[2] == stream.set.number]
+        wanted = [x.field.descriptor for x in stream.fields]
+        if stream.on_event and not own:
+            continue
+        assert own and all(once(d for d, _ in fields(p)) == wanted for p in own), stream.set.name
+        if stream.rate is not None:
+            assert abs(len(own) - stream.rate * LONG) <= 1, (stream.set.name, len(own))
+
+
+@pytest.mark.parametrize("case", played(), ids=lambda c: f"{c[0].name}/{c[1].title}/{c[2].id}")
+def test_guide(case: Played) -> None:
+    guide, sequence, device = case
+    conversation = Conversation(device)
+    seen = 0
+    for step in sequence.steps:
+        check_answer(step, conversation.ask(step.packet, step.command.timeout or 0.5))
+        if step.data:
+            packets = list(conversation.packets(LONG))
+            check_data(step.data, packets)
+            seen += any(p[2] == s.set.number for s in step.data for p in packets)
+    assert seen == sum(bool(s.data) for s in sequence.steps) or (guide.name, sequence.title) in UNTRIED
