@@ -105,7 +105,7 @@ class Typical:
             return _named(p, v)
         given: Any = v.number if v.number is not None else v.text
         if v.quantity:
-            given = self._quantities[v.quantity]
+            given = self._quantities.get(v.quantity)  # one that is missing is reported elsewhere
         if given is None:
             return None
         return shown(p, given, v.factor)

@@ -94,10 +94,10 @@ def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatc
 def test_the_cache_does_not_grow_without_end(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "LIMIT", 3 * 5000)
     for n in range(10):
-        cache.put("some", {str(n): bytes(300)})
-        os.utime(folder / "some" / str(n), (1e9 + n, 1e9 + n))
-        assert cache.get("some", "0") == bytes(300)  # in use all the time
-    assert sorted(x.name for x in (folder / "some").iterdir()) == ["0", "8", "9"]
+        cache.put("some", {f"0{n}": bytes(300)})  # of such names, each looks at all entries
+        os.utime(folder / "some" / f"0{n}", (1e9 + n, 1e9 + n))
+        assert cache.get("some", "00") == bytes(300)  # in use all the time
+    assert sorted(x.name for x in (folder / "some").iterdir()) == ["00", "08", "09"]
 
 
 def test_what_cannot_be_formatted_is_reported() -> None:

@@ -51,8 +51,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     ports.add_arguments(parser)
 
 
-def words(given: list[str]) -> list[str]:
-    """What is given, without anything that looks like an option but begins with a negative number: -1,0,0.
+def shielded(given: list[str]) -> list[str]:
+    """The words of the command line, so that none that begins with a negative number looks like an option: -1,0,0.
 
     argparse takes nothing for an option that begins with a space.
     """

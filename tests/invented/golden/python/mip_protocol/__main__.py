@@ -99,7 +99,7 @@ def _run(given: list[str]) -> int:
             chosen = import_module(f".{module}", __package__)
             chosen.add_arguments(added)
             used = added
-            given = getattr(chosen, "words", list)(given)
+            given = getattr(chosen, "shielded", list)(given)
     options, unknown = parser.parse_known_args(given)
     if unknown:
         used.error(f"{' '.join(unknown)} is not recognized; see --help")
