@@ -8,7 +8,6 @@ range; `made_up` lists those.
 from __future__ import annotations
 
 import math
-import re
 import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -401,8 +400,8 @@ def flags(t: m.Bitfield, value: int) -> list[m.Bits]:
 def decimal(bits: str) -> str:
     """The shortest decimal that has the bits of a finite number; it has a point or an exponent.
 
-    >>> decimal("0x3dcccccd"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
-    ('0.1', '1.0', '1e+30')
+    >>> decimal("0x3dcccccd"), decimal("0x42480000"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
+    ('0.1', '50.0', '1.0', '1e+30')
     """
     raw = bytes.fromhex(bits[2:])
     form = ">f" if len(raw) == 4 else ">d"
@@ -411,7 +410,7 @@ def decimal(bits: str) -> str:
         text = f"{value:.{digits}g}"
         try:
             if struct.pack(form, float(text)) == raw:
-                return text if re.search(r"[.e]", text) else f"{text}.0"
+                return repr(float(text))
         except OverflowError:
             continue
     raise AssertionError(bits)

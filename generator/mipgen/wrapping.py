@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Sequence
+from itertools import pairwise
 
 _OTHER_SPACE = re.compile(r"[\t\n\v\f\r]")
 
@@ -41,5 +42,56 @@ def call(head: str, arguments: Sequence[str], tail: str, width: int = 100, comma
     line = f"{head}{', '.join(arguments)}{tail}"
     if len(line) <= width or not arguments:
         return line
-    each = "".join(f"    {a}," + "\n" for a in arguments)
-    return f"{head}\n{each}".removesuffix(",\n") + f"{comma}\n{tail}"
+    each = [broken(a, width - 5).replace("\n", "\n    ") for a in arguments]
+    return "".join([head, "\n    ", ",\n    ".join(each), comma, "\n", tail])
+
+
+def broken(text: str, width: int) -> str:
+    """An expression that ends with brackets, with a line for each of what is in them if one line is too long.
+
+    >>> print(broken("x = {{1, 2}, f(3, ')')};", 14))
+    x = {
+        {1, 2},
+        f(3, ')'),
+    };
+    >>> print(broken("x = {{1, 2}, f(3, ')')};", 12))
+    x = {
+        {1, 2},
+        f(
+            3,
+            ')',
+        ),
+    };
+    >>> broken("[(1 | 2)]", 1), broken("(a | b)", 1)  # a comma would make another value of it
+    ('[\\n    (1 | 2),\\n]', '(a | b)')
+    """
+    if len(text) <= width or not text.endswith((")", "]", "}", "};")):
+        return text
+    start, commas = _last_brackets(text)
+    end = len(text.removesuffix(";")) - 1
+    edges = [start, *commas, end]
+    parts = [text[a + 1 : b].strip() for a, b in pairwise(edges)]
+    if len(parts) == 1 and text[start] == "(" and not text[start - 1 : start].isalnum():
+        return text
+    return call(text[: start + 1], [p for p in parts if p], text[end:], width)
+
+
+def _last_brackets(text: str) -> tuple[int, list[int]]:
+    """Where the brackets that end last begin, and the commas between the things in them."""
+    opened: list[tuple[int, list[int]]] = []
+    last: tuple[int, list[int]] = (0, [])
+    quote = ""
+    escaped = False
+    for i, c in enumerate(text):
+        if quote:
+            quote = "" if c == quote and not escaped else quote
+            escaped = c == "\\" and not escaped
+        elif c in "\"'":
+            quote = c
+        elif c in "([{":
+            opened.append((i, []))
+        elif c in ")]}":
+            last = opened.pop()
+        elif c == "," and opened:
+            opened[-1][1].append(i)
+    return last

@@ -8,7 +8,7 @@ from typing import Any
 from ... import model as m
 from ...descriptors import hexadecimal
 from ...typical import Given, Typical, decimal, flags, title_of
-from ...wrapping import call
+from ...wrapping import broken, call
 from .calls import Call, calls
 from .literals import number, string
 from .members import argument, constructors, members, takes_enum
@@ -19,9 +19,8 @@ def command(f: m.Field, typical: Typical) -> str:
     """Calls it at a device."""
     lines = [f'#include "mip/{module(f.set_name)}_commands.h"', ""]
     for i, shown in enumerate(typical.shown(f)):
-        before, asked = _call(f, shown, typical)
         lines += [""] if i else []
-        lines += [*before, f"{'' if i else 'struct mip_result '}result = {asked}"]
+        lines += _call(f, shown, typical, "result = " if i else "struct mip_result result = ")
     lines += ["if (!mip_succeeded(result)) {", "    /* mip_result_reason(result) says why */", "}"]
     return "\n".join(lines)
 
@@ -31,9 +30,9 @@ def sequence(name: str, steps: Sequence[tuple[m.Field, Given]]) -> str:
     needs = sorted({f'#include "mip/{module(f.set_name)}_commands.h"' for f, _ in steps})
     lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
     for i, (f, given) in enumerate(steps):
-        before, asked = _call(f, given.call, given, "        " if i else "    ")
+        asked = _call(f, given.call, given, "result = " if i else "struct mip_result result = ", 88)
         title = f"/* {i + 1}: {title_of(f, given)} */"
-        body = "\n".join([*before, f"{'' if i else 'struct mip_result '}result = {asked}"]).split("\n")
+        body = "\n".join(asked).split("\n")
         if i == 0:
             lines += [f"    {line}" for line in (title, *body)]
         else:
@@ -55,7 +54,8 @@ def data(f: m.Field) -> str:
     ])  # fmt: skip
 
 
-def _call(f: m.Field, shown: m.Call, typical: Typical, indent: str = "") -> tuple[list[str], str]:
+def _call(f: m.Field, shown: m.Call, typical: Typical, result: str, width: int = 96) -> list[str]:
+    """What must be declared before, and the call, whose result is assigned."""
     values = typical.values(f, shown)
     replies = typical.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
@@ -77,7 +77,8 @@ def _call(f: m.Field, shown: m.Call, typical: Typical, indent: str = "") -> tupl
     if chosen.response is not None:
         before.append(f"struct {field_name(chosen.response)} response;")
         given.append("&response")
-    return before, call(f"{chosen.name}(", given, ");", 80 - len(indent), comma="")
+    asked = call(f"{result}{chosen.name}(", given, ");", width, comma="")
+    return [*(broken(line, width) for line in before), asked]
 
 
 def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[str]]:

@@ -41,17 +41,15 @@ export function decimalLiteral(value, size) {
     return undefined;
 }
 
-/** A number with so many significant digits at most, with an exponent if it is small or large: %g of printf. */
+/** A number with so many significant digits at most, with an exponent if it is small or large: `repr` of Python. */
 function general(number, digits) {
-    const [mantissa, exponent] = number
-        .toExponential(digits - 1)
-        .split("e")
-        .map(String);
+    const text = number.toExponential(digits - 1);
+    const [mantissa, exponent] = text.split("e");
     const power = Number(exponent);
     const sign = Object.is(number, -0) ? "-" : "";
-    const short = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
-    if (power >= -4 && power < digits) return sign + short(number.toFixed(digits - 1 - power));
-    return `${short(mantissa)}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
+    const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
+    if (power >= -4 && power < 16) return sign + String(Number(text));
+    return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
 /** A number of so many bytes in hexadecimal. */

@@ -115,7 +115,39 @@ function printable(text) {
 function call(head, given, tail, width, comma = ",") {
     const line = `${head}${given.join(", ")}${tail}`;
     if (line.length <= width || given.length === 0) return line;
-    return `${head}\n${given.map((argument) => `    ${argument}`).join(",\n")}${comma}\n${tail}`;
+    const each = given.map((argument) => `    ${broken(argument, width - 5).replaceAll("\n", "\n    ")}`);
+    return `${head}\n${each.join(",\n")}${comma}\n${tail}`;
+}
+
+/** An expression that ends with brackets, with a line for each of what is in them if one line is too long. */
+function broken(text, width) {
+    if (text.length <= width || !/([)\]}]|};)$/.test(text)) return text;
+    const end = text.replace(/;$/, "").length - 1;
+    const [start, commas] = lastBrackets(text);
+    const edges = [start, ...commas, end];
+    const parts = edges.slice(1).map((edge, i) => text.slice(edges[i] + 1, edge).trim());
+    // A comma would make another value of what is only in parentheses.
+    if (parts.length === 1 && text[start] === "(" && !/[A-Za-z0-9]$/.test(text.slice(0, start))) return text;
+    const given = parts.filter((part) => part !== "");
+    return call(text.slice(0, start + 1), given, text.slice(end), width);
+}
+
+/** Where the brackets that end last begin, and the commas between the things in them. */
+function lastBrackets(text) {
+    const opened = [];
+    let last;
+    let quote = "";
+    let escaped = false;
+    for (const [i, c] of [...text].entries()) {
+        if (quote) {
+            if (c === quote && !escaped) quote = "";
+            escaped = c === "\\" && !escaped;
+        } else if (c === '"' || c === "'") quote = c;
+        else if ("([{".includes(c)) opened.push([i, []]);
+        else if (")]}".includes(c)) last = opened.pop();
+        else if (c === "," && opened.length) opened.at(-1)[1].push(i);
+    }
+    return last;
 }
 
 /** A number of a parameter; `known` writes the name of a value, `flags` names of bits, `other` another number of a type. */
@@ -164,14 +196,14 @@ function cProgram(names, field, calls) {
     }
     const lines = [`#include "${header}_commands.h"`, ""];
     calls.forEach((values, i) => {
-        const { before, asked } = cCall(names, field, values);
-        lines.push(...(i ? [""] : []), ...before, `${i ? "" : "struct mip_result "}result = ${asked}`);
+        lines.push(...(i ? [""] : []), ...cCall(names, field, values, i ? "result = " : "struct mip_result result = "));
     });
     lines.push("if (!mip_succeeded(result)) {", "    /* mip_result_reason(result) says why */", "}");
     return lines.join("\n");
 }
 
-function cCall(names, field, values) {
+/** What must be declared before, and the call, whose result is assigned. */
+function cCall(names, field, values, result) {
     const { protocol } = names;
     refuseOptional(protocol, field, values);
     const function_ = field.calls && protocol.functions.get(Number(values.function))?.name;
@@ -194,7 +226,7 @@ function cCall(names, field, values) {
         before.push(`struct ${names.type(protocol.field(way.response))} response;`);
         given.push("&response");
     }
-    return { before, asked: call(`${way.name}(`, given, ");", 80, "") };
+    return [...before.map((line) => broken(line, 96)), call(`${result}${way.name}(`, given, ");", 96, "")];
 }
 
 /** What must be declared before, and what is passed. */
