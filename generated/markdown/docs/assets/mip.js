@@ -1739,7 +1739,8 @@ function cValue(names, parameter, op, value) {
         kind !== "float" &&
         (!type || (type.kind === "enum" && !enumValue(type, value)) || (type.kind === "bitfield" && !flagsOf(type, value).length))
     ) {
-        return cNumber(value, size, !type && parameter.shown ? hexLiteral(value, size) : undefined);
+        const form = !type && parameter.shown ? hexLiteral(value, size) : String(value);
+        return cNumber(value, size, type?.kind === "bitfield" ? undefined : form);
     }
     return numberText(names, parameter, op, value, {
         float: (text, width) => text + (width === 4 ? "F" : ""),

@@ -158,6 +158,7 @@ def _number(p: m.Parameter, op: m.ScalarOp, value: Any) -> str:
         named = flags(op.type, value)
         if named:
             return " | ".join(constant(op.type, b) for b in named)
-    if p.shown:
-        return number(value, op.size, hexadecimal(p, value))
-    return str(value) if value < 0 else number(value, op.size)
+        return number(value, op.size)
+    if value < 0:
+        return str(value)
+    return number(value, op.size, hexadecimal(p, value) if p.shown else str(value))
