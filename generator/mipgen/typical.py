@@ -96,7 +96,7 @@ class Typical:
             if value is not None:
                 _place(found, v.path, value)
         for flags, bits in _valid(f.parameters).items():
-            found.setdefault(flags, bits)
+            found[flags] = found.get(flags, 0) | bits
         return found
 
     def _shown(self, v: Value, p: m.Parameter) -> Any:
@@ -420,8 +420,13 @@ def decimal(bits: str) -> str:
 
 
 def _plain(parameters: tuple[m.Parameter, ...], found: codec.Values) -> bool:
-    """Has it names for all values and bits, and only numbers that can be written as such?"""
-    return all(_is_plain(p, p.operation, found[p.name]) for p in parameters if p.name in found)
+    """Has it names for all values and bits, and only numbers that can be written, of sets that all devices take?"""
+    return all(
+        _is_plain(p, p.operation, found[p.name])
+        and not (p.shown == "set" and any(v.by_device and v.type is not None for v in p.variants))
+        for p in parameters
+        if p.name in found
+    )
 
 
 def _is_plain(p: m.Parameter, op: m.Operation, value: Any) -> bool:

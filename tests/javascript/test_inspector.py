@@ -153,7 +153,7 @@ def check(row: Any, path: str, p: Any, value: Any, unit: str) -> None:
         assert row["number"].strip('"') == value.rstrip("\0 ")
     elif row["number"].startswith("0x"):
         assert int(row["number"], 16) == int(value)
-        single = {words(m.name) for m in p.type if m.value & (m.value - 1) == 0 and m.value & value}
+        single = {words(m.name) for m in p.type or () if m.value & (m.value - 1) == 0 and m.value & value}
         assert (
             {flag for flag in row["flags"] if " " not in flag} <= single <= {flag.split()[0] for flag in row["flags"]}
         )

@@ -108,7 +108,7 @@ export function shown(protocol, part, parameter, type, index) {
                   .padStart(2 * size, "0")}`;
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
-    return { text: `${value}`, unit };
+    return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
 }
 
 /** "fix_valid", "quality = 3", or "state = ready". */

@@ -17,7 +17,9 @@ export const LANGUAGES = [
  */
 export function programOf(protocol, language, field, values = []) {
     const writer = { c: cProgram, python: pythonProgram, rust: rustProgram }[language];
-    return writer(new Names(protocol, language), field, field.role === "command" ? values : undefined);
+    if (field.role !== "command") return writer(new Names(protocol, language), field);
+    for (const one of values) refuseReserved(protocol, field, one);
+    return writer(new Names(protocol, language), field, values);
 }
 
 /** The first response that a command asks for with these values, or nothing. */
@@ -91,6 +93,21 @@ function refuseOptional(protocol, field, values) {
     const required = new Set(requiredParameters(protocol, field, values).map((parameter) => parameter.name));
     const more = field.parameters.find(({ name, selector }) => !selector && !required.has(name) && values[name] !== undefined);
     if (more) throw cannot(`${more.name} is optional; set it in the object of the command`);
+}
+
+/** Constructors set what is reserved, so another value would be lost. */
+function refuseReserved(protocol, record, values) {
+    for (const parameter of record.parameters) {
+        const value = values[parameter.name];
+        if (value === undefined) continue;
+        const { kind, size } = protocol.scalar(protocol.types.get(parameter.type)?.scalar ?? parameter.type) ?? {};
+        const plain = (one) => (kind === "float" ? decimalLiteral(one, size) : String(Number(one)));
+        if (isReserved(parameter) && [value].flat().some((one) => plain(one) !== plain(parameter.reserved))) {
+            throw cannot(`${parameter.name} is reserved; set it in the object of the command`);
+        }
+        const struct = protocol.types.get(parameter.type);
+        if (struct?.kind === "struct") for (const one of [value].flat()) refuseReserved(protocol, struct, one);
+    }
 }
 
 /** The one case that a union has: its operation and value. */
