@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import gzip
 import importlib
 import io
@@ -276,6 +277,22 @@ def test_columns_equal_objects_for_every_field(spec: str) -> None:
     package = PACKAGES[spec]
     stream = b"".join(packet(number, (field[1], field[2:])) for number, field in fields(spec, 8))
     assert compare(package, stream) > 1000
+
+
+@pytest.mark.usefixtures("way")
+def test_objects_while_other_columns_are_requested(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Requests look at the same pieces, and must not disturb each other."""
+    monkeypatch.setattr(real.columns.log, "_PIECE", 5000)
+    sent = [packet(0x80, (4, struct.pack(">3f", i, 0, 0)), (5, bytes(12))) for i in range(1000)]
+    log = real.columns.read_log(b"".join(sent))
+    seen = []
+    for n, one in enumerate(log.objects("sensor.scaled_accel")):
+        if n == 9 or n == 500:
+            assert len(log["sensor.scaled_gyro"]) == 1000
+        seen.append(one.scaled_accel[0])
+    assert seen == list(range(1000))
+    both = zip(log.objects("sensor.scaled_accel"), log.objects("sensor.scaled_gyro"))
+    assert [a.scaled_accel[0] for a, _ in both] == seen
 
 
 # --------------------------------------------------------------------------- packets
@@ -690,6 +707,71 @@ def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkey
     compare(real, stream)
 
 
+def test_bytes_that_change_while_compiled_code_reads_them(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another program writes to the file: fields are counted, then they are different ones."""
+    kernel = real.columns.native.Kernel(built)
+    count, fields_of = kernel._count, kernel._fields
+    ping, idle = packet(0x01, (1, b"")), packet(0x01, (2, b""))
+    margin = 5000
+
+    def read(before: bytes, after: bytes) -> Any:
+        data = bytearray(before + bytes(300))
+        at = np.array([i for i, _ in parsed(real, before)], np.int32)
+
+        def counted(*given: Any) -> int:
+            kinds: int = count(*given)
+            data[: len(after)] = after
+            return kinds
+
+        def guarded(*given: Any) -> None:
+            """With room around the rows, so that what is written there is seen and does no harm."""
+            total = len(at)
+            packets, offsets = np.zeros(total + 2 * margin, np.int32), np.zeros(total + 2 * margin, np.uint8)
+            places = (packets[margin:].ctypes.data, offsets[margin:].ctypes.data)
+            for place, own, size in zip(places, given[-2:], (4, 1)):
+                ctypes.memmove(place, own, total * size)
+            fields_of(*given[:-2], *places)
+            for array in (packets, offsets):
+                assert not array[:margin].any() and not array[margin + total :].any()
+            for own, place, size in zip(given[-2:], places, (4, 1)):
+                ctypes.memmove(own, place, total * size)
+
+        monkeypatch.setattr(kernel, "_count", counted)
+        monkeypatch.setattr(kernel, "_fields", guarded)
+        found = kernel.fields(np.frombuffer(data, np.uint8), at)
+        for one in found:
+            assert ((one.packet >= 0) & (one.packet < len(at))).all()
+        return [(one.descriptor, one.packet.tolist(), one.offset.tolist()) for one in found]
+
+    assert read(ping * 3 + idle * 2, ping * 3 + idle * 2) == [(1, [0, 1, 2], [2] * 3), (2, [3, 4], [2] * 2)]
+    assert read(ping * 3 + idle * 2, ping * 5) == [(1, [0, 1, 2], [2] * 3), (2, [0, 0], [0, 0])]  # more of a kind
+    assert read(ping * 3 + idle * 2, idle * 5) == [(1, [0] * 3, [0] * 3), (2, [0, 1], [2, 2])]
+    assert read(ping * 3, packet(0x01, (3, b"")) * 3) == [(1, [0] * 3, [0] * 3)]  # kinds that were not counted
+    rng = random.Random(6)
+    for _ in range(200):
+        read(ping * 30 + idle * 30, rng.randbytes(480) if rng.random() < 0.5 else rng.choice((b"\xff", b"\2")) * 480)
+
+
+def test_a_package_in_a_zip_file(tmp_path: Path) -> None:
+    """There is no source of compiled code beside it."""
+    shutil.make_archive(str(tmp_path / "package"), "zip", REAL, "mip_protocol")
+    (tmp_path / "log.bin").write_bytes(packet(0x80, ACCEL) * 3)
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "package.zip")}
+
+    def python(*words: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, *words]
+        return subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
+
+    code = "import mip_protocol.columns as c; print('.zip' in c.__file__, c.compiled(), c.read_log('log.bin').packets)"
+    done = python("-c", code)
+    assert done.stdout == "True False 3\n", done.stderr
+    done = python("-m", "mip_protocol", "info", "log.bin")
+    assert done.returncode == 0 and "scaled_accel" in done.stdout, done.stderr
+    done = python("-m", "mip_protocol.columns.build")
+    assert done.returncode == 1 and done.stderr.startswith("mip_protocol.columns.build: "), done.stderr
+    assert done.stderr.endswith("; install the whole package in a folder\n") and done.stderr.count("\n") == 1
+
+
 def build(*words: str, path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "mip_protocol.columns.build", *words]
     own = {**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1", "CC": "", **environment}
@@ -706,6 +788,7 @@ def test_the_command_that_compiles(tmp_path: Path) -> None:
         ("/nowhere/cc", "/nowhere/cc: No such file or directory"),
         ("false", "false -std=c99"),
         ("true", "what true has made cannot be loaded"),
+        ('gcc "x', 'CC=gcc "x: No closing quotation; quote a path with spaces'),
     ):
         failed = build(path=tmp_path, CC=compiler)
         assert failed.returncode == 1 and said in failed.stderr and "Traceback" not in failed.stderr
@@ -722,6 +805,40 @@ def test_the_command_that_compiles(tmp_path: Path) -> None:
     source = folder / "columns/kernel.c"
     source.write_text(source.read_text() + "/* newer */\n")  # what was compiled of the old one does not count
     assert subprocess.run(asked, capture_output=True, text=True, env=environment).stdout == "False 0\n"
+
+
+def test_compiling_without_its_source_or_numpy(tmp_path: Path) -> None:
+    folder = shutil.copytree(REAL / "mip_protocol", tmp_path / "mip_protocol")
+    source = folder / "columns/kernel.c"
+    source.unlink()
+    done = build(path=tmp_path)
+    said = f"{source}: No such file or directory; install the whole package in a folder"
+    assert (done.returncode, done.stderr) == (1, f"mip_protocol.columns.build: {said}\n")
+    (tmp_path / "numpy.py").write_text("raise ImportError")
+    done = build(path=tmp_path)
+    said = "numpy is missing; pip install 'mip-protocol[numpy]'"
+    assert (done.returncode, done.stderr) == (1, f"mip_protocol.columns.build: {said}\n")
+    code = "import mip_protocol.columns as c\ntry: c.read_log\nexcept ImportError as e: print(type(e).__name__, e)\n"
+    code += "try: from mip_protocol.columns import Log\nexcept ImportError as e: print(e)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(tmp_path)}
+    )
+    assert done.stdout == f"MissingExtra {said}\n{said}\n", done.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "windows", "words"),
+    [
+        ("gcc -m32", False, ["gcc", "-m32"]),
+        ("'/my tools/gcc' -m32", False, ["/my tools/gcc", "-m32"]),
+        (r"C:\tools\gcc.exe -m32", True, [r"C:\tools\gcc.exe", "-m32"]),
+        (r'"C:\my tools\gcc.exe" -m32', True, [r"C:\my tools\gcc.exe", "-m32"]),
+        ("", True, []),
+    ],
+)
+def test_the_words_that_name_a_compiler(text: str, windows: bool, words: list[str]) -> None:
+    build_module = importlib.import_module(f"{real.name}.columns.build")
+    assert build_module._words(text, windows) == words
 
 
 @pytest.mark.parametrize("content", [b"", b"no library"])

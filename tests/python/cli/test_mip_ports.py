@@ -339,6 +339,30 @@ def test_lists_that_begin_with_a_negative_number() -> None:
     assert mip("send", "--hex", "3dm.accel_bias", "write", "-1,0,0")[0] == 0
 
 
+@pytest.mark.parametrize("values", ["-inf,0,0", "-INF,0,0", "-nan,0,0", "-Infinity,0,0", "-.5,0,0"])
+def test_lists_that_begin_with_another_negative_number(values: str, capsys: pytest.CaptureFixture[str]) -> None:
+    named = run(capsys, "send", "--hex", "3dm.accel_bias", "write", f"bias={values}")
+    assert named[0] == 0
+    assert run(capsys, "send", "--hex", "3dm.accel_bias", "write", values) == named
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["PORT", "base.ping", "--timeout", "-1"], "'-1' is not a time in seconds; use a number above 0"),
+        (["PORT", "base.ping", "--baud", "-1"], "'-1' is not a baud rate; use a number or `auto`"),
+        (["PORT", "base.ping", "--device", "-1"], "'-1' is "),
+        (["--hex", "-1"], "'-1' is not a field"),
+        (["-1", "base.ping"], "mip send: -1 cannot be opened"),
+    ],
+)
+def test_messages_quote_words_as_they_were_given(
+    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, said = run(capsys, "send", *words)
+    assert code and not out and error in said and " -1'" not in said, said
+
+
 def test_a_terminal_is_as_before_if_the_port_cannot_be_opened() -> None:
     main, side = pty.openpty()
     done = subprocess.run(command("monitor", "/dev/nothing-here"), stdout=side, stderr=subprocess.PIPE, env=ENVIRONMENT)

@@ -508,6 +508,30 @@ def test_a_stream_that_takes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     asyncio.run(asyncio.wait_for(talk(), 20))
 
 
+def test_a_command_that_could_not_be_written_is_not_sent_later(monkeypatch: pytest.MonkeyPatch) -> None:
+    """When the other end takes bytes again, those of a command that has failed do not come."""
+    monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
+
+    async def talk() -> None:
+        near, far = socket.socketpair()
+        near.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 4096)
+        far.setblocking(False)
+        device = aio.Device(await asyncio.open_connection(sock=near))
+        sent, parser, arrived = 0, Parser(), 0
+        with pytest.raises(mip.PortClosed):
+            while True:
+                await device.send(PING)
+                sent += 1
+        while data := await asyncio.get_running_loop().sock_recv(far, 4096):
+            arrived += len(parser.feed(data))
+            assert arrived <= sent
+        assert arrived == sent
+        await device.close()
+        far.close()
+
+    asyncio.run(asyncio.wait_for(talk(), 20))
+
+
 def test_nothing_is_kept_of_commands_that_are_answered() -> None:
     """Also if nobody waits for the answers."""
     talk = conversation.Conversation()

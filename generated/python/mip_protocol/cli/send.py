@@ -15,7 +15,7 @@ from .arguments import add_device, device_id, seconds
 from .selection import fields
 
 REFUSED, SILENT = 3, 4
-_NEGATIVE = re.compile(r"-[\d.]")
+_NEGATIVE = re.compile(r"(?i)-([\d.]|inf|nan)")
 
 EPILOG = """\
 examples:
@@ -59,15 +59,21 @@ def shielded(given: list[str]) -> list[str]:
     return [f" {word}" if _NEGATIVE.match(word) else word for word in given]
 
 
+def _bare(word: str) -> str:
+    """A word without what `shielded` has added; options with numbers leave it out themselves."""
+    return word[1:] if word.startswith(" -") else word
+
+
 def run(options: argparse.Namespace) -> int:
+    options.port = _bare(options.port)
     words = [w for w in (options.command_name, options.function) if w is not None] + options.values
-    words = [word[1:] if word.startswith(" -") else word for word in words]
+    words = [_bare(word) for word in words]
     if options.hex:
         words = [options.port, *words]
     if not words:
         raise Failure("which command? `mip fields` lists them", 2)
     command = typed.command(_kind(words[0]), words[1:])
-    device = device_id(options.device)
+    device = device_id(options.device and _bare(options.device))
     if options.hex:
         print(bytes(command.packet()).hex(" "))
         return 0

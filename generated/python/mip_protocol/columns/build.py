@@ -1,7 +1,7 @@
 """Compiles the innermost loops of columns: `python -m mip_protocol.columns.build`.
 
-Columns are then two to four times as fast, and the same. It takes a C compiler, nothing else; without
-it, NumPy does everything.
+Columns are then two to four times as fast, and the same. Besides NumPy, it takes a C compiler, nothing
+else; without it, NumPy does everything.
 """
 
 from __future__ import annotations
@@ -13,8 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from ..errors import Failure
-from . import native
+from ..errors import Failure, MissingExtra
 
 _COMPILERS = ("cc", "gcc", "clang")
 _OPTIONS = ("-std=c99", "-O3", "-shared", "-fPIC")
@@ -23,9 +22,17 @@ _OPTIONS = ("-std=c99", "-O3", "-shared", "-fPIC")
 def build(folder: Path | None = None) -> Path:
     """Compiles it into a folder, by default that of this package, and returns the path.
 
-    Raises Failure if there is no compiler, if it fails, or if the folder cannot be written to.
+    Raises Failure if there is no compiler or no source, if it fails, or if the folder cannot be
+    written to, MissingExtra without NumPy.
     """
-    path = native.library() if folder is None else native.library(folder)
+    from . import native
+
+    try:
+        path = native.library() if folder is None else native.library(folder)
+    except OSError as error:
+        raise Failure(
+            f"{native.SOURCE}: {error.strerror or error}; install the whole package in a folder"
+        ) from None
     part = path.with_name(f"{path.name}.{os.getpid()}.part")
     command = [*_compiler(), *_OPTIONS, "-o", str(part), str(native.SOURCE)]
     if not os.access(path.parent, os.W_OK):
@@ -48,13 +55,24 @@ def build(folder: Path | None = None) -> Path:
 
 def _compiler() -> list[str]:
     """The compiler that the environment names, else one that is there."""
-    named = shlex.split(os.environ.get("CC", ""))
+    try:
+        named = _words(os.environ.get("CC", ""))
+    except ValueError as error:
+        raise Failure(f"CC={os.environ['CC']}: {error}; quote a path with spaces") from None
     if named:
         return named
     for name in _COMPILERS:
         if shutil.which(name):
             return [name]
     raise Failure(f"no C compiler found: none of {', '.join(_COMPILERS)}; name one with CC")
+
+
+def _words(text: str, windows: bool = sys.platform == "win32") -> list[str]:
+    """The words of a command, with quotes around those that have spaces. Raises ValueError."""
+    if not windows:
+        return shlex.split(text)
+    words = shlex.split(text, posix=False)  # a backslash is in every path there
+    return [w[1:-1] if w[0] in "\"'" and w[-1] == w[0] else w for w in words]
 
 
 def main() -> int:
@@ -64,7 +82,7 @@ def main() -> int:
         return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
     try:
         path = build()
-    except Failure as error:
+    except (Failure, MissingExtra) as error:
         print(f"{__spec__.name if __spec__ else 'build'}: {error}", file=sys.stderr)
         return 1
     print(f"{path}\nColumns use it from now on; without the file, they do not.")

@@ -63,7 +63,7 @@ def _above_zero(text: str, what: str) -> float:
     except ValueError:
         value = math.nan
     if not 0 < value < 1e9:
-        raise argparse.ArgumentTypeError(f"'{text}' is not {what}")
+        raise argparse.ArgumentTypeError(f"'{text.strip()}' is not {what}")
     return value
 
 

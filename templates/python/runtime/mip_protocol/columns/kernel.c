@@ -112,10 +112,12 @@ API int64_t mip_count(const uint8_t *data, const int32_t *begin, int64_t packets
 }
 
 /* The packets of all these fields, and where in their payloads the data begin: those of the first
- * key in the order of the log, then those of the second one ... `next` is where each key's begin.
+ * key in the order of the log, then those of the second one ... `next` is where each key's begin,
+ * `end` where they end: another program may have changed the bytes since they were counted.
  */
 API void mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, uint32_t *keys,
-                    int64_t kinds, int64_t *next, int32_t *packet, uint8_t *offset)
+                    int64_t kinds, int64_t *next, const int64_t *end, int32_t *packet,
+                    uint8_t *offset)
 {
     uint16_t slots[SLOTS] = {0};
     int64_t known = 0, p;
@@ -125,14 +127,21 @@ API void mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, 
     for (p = 0; p < packets; p++) {
         const uint8_t *payload = data + begin[p] + HEAD;
         const uint8_t *stop = payload + payload[-1];
-        const uint8_t *at;
+        const uint8_t *at = payload;
         uint32_t set = (uint32_t)payload[-2] << 16;
 
-        for (at = payload; at < stop && at[0] >= 2 && at[0] <= stop - at; at += at[0]) {
-            uint32_t key = set | (uint32_t)at[1] << 8 | at[0];
-            int64_t row = next[number_of(key, keys, &known, slots)]++;
-            packet[row] = (int32_t)p;
-            offset[row] = (uint8_t)(at + 2 - payload);
+        while (at < stop) {
+            int length = at[0]; /* read once */
+            int32_t n;
+
+            if (length < 2 || length > stop - at)
+                break;
+            n = number_of(set | (uint32_t)at[1] << 8 | (uint32_t)length, keys, &known, slots);
+            if (n >= 0 && n < kinds && next[n] < end[n]) {
+                packet[next[n]] = (int32_t)p;
+                offset[next[n]++] = (uint8_t)(at + 2 - payload);
+            }
+            at += length;
         }
     }
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from copy import copy
 from typing import Any, TypeVar, overload
 
 from ..field import Field
@@ -109,9 +110,12 @@ class Log:
                 found = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
                 piece.runs = walk.runs(data, found)
-            piece.data = data
-            yield piece
-            piece.data = NOTHING
+            own = copy(
+                piece
+            )  # other requests look at the same piece, in other threads or meanwhile
+            own.data = data
+            yield own
+            own.data = NOTHING
             number += len(piece.at)
             if len(piece.end):
                 free = begin + int(piece.end[-1])

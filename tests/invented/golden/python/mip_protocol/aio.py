@@ -456,6 +456,7 @@ class Streams:
         try:
             await asyncio.wait_for(self._writer.drain(), WRITE_TIMEOUT)
         except asyncio.TimeoutError:
+            self._writer.transport.abort()  # else the command would go out later, although it failed
             raise TimeoutError("the other end takes nothing") from None
 
     async def stop(self) -> None:

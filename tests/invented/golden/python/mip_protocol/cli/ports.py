@@ -35,7 +35,9 @@ def _baud(text: str) -> int | None:
     if text == "auto":
         return None
     if not text.isascii() or not text.isdigit() or not 0 < int(text) < 10**8:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a baud rate; use a number or `auto`")
+        raise argparse.ArgumentTypeError(
+            f"'{text.strip()}' is not a baud rate; use a number or `auto`"
+        )
     return int(text)
 
 

@@ -5,18 +5,27 @@ Needs NumPy, `pip install mip-protocol[numpy]`; frames need pandas, Polars or Py
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 try:
     import numpy as _numpy  # noqa: F401
-except ImportError as _error:
-    from ..errors import MissingExtra
+except ImportError:
+    # The package itself can be imported, so that `python -m mip_protocol.columns.build` can say it.
+    if not TYPE_CHECKING:  # for type checkers it would have any name
 
-    raise MissingExtra("numpy", "numpy") from _error
+        def __getattr__(name: str) -> Any:
+            from ..errors import MissingExtra
 
-from .column import Column
-from .contents import TypeCount
-from .general import Ragged
-from .log import Log, read_log
-from .native import compiled
-from .times import Times
+            if name.startswith("__"):
+                raise AttributeError(name)
+            raise MissingExtra("numpy", "numpy")
+
+else:
+    from .column import Column
+    from .contents import TypeCount
+    from .general import Ragged
+    from .log import Log, read_log
+    from .native import compiled
+    from .times import Times
 
 __all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]

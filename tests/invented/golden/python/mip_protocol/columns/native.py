@@ -56,7 +56,7 @@ class Kernel:
         )
         self._count = function("mip_count", number, place, place, number, place, place)
         self._fields = function(
-            "mip_fields", None, place, place, number, place, number, place, place, place
+            "mip_fields", None, place, place, number, place, number, *[place] * 4
         )
         self._gather = function("mip_gather", None, *[place] * 4, number, number, number, place)
 
@@ -79,10 +79,10 @@ class Kernel:
         next_ = stop - counts[:kinds]
         begin = next_.tolist()
         total = int(stop[-1]) if kinds else 0
-        packet, offset = np.empty(total, np.int32), np.empty(total, np.uint8)
-        self._fields(
-            _at(data), _at(at), len(at), _at(keys), kinds, _at(next_), _at(packet), _at(offset)
-        )
+        # Zeros: rows that are left over, as the bytes of a file have changed, are in the first packet.
+        packet, offset = np.zeros(total, np.int32), np.zeros(total, np.uint8)
+        rows = (_at(next_), _at(stop), _at(packet), _at(offset))
+        self._fields(_at(data), _at(at), len(at), _at(keys), kinds, *rows)
         return [
             Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b])
             for key, a, b in zip(keys[:kinds].tolist(), begin, stop.tolist())
@@ -104,11 +104,9 @@ def _at(array: Array) -> int:
 
 def found(path: Path | None = None) -> Kernel | None:
     """The compiled code, if it is there and of this machine."""
-    path = path or library()
-    if not path.exists():
-        return None
     try:
-        return Kernel(path)
+        path = path or library()  # in a zip file, or a frozen program, there is no source
+        return Kernel(path) if path.exists() else None
     except (OSError, AttributeError):
         return None
 
