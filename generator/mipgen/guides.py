@@ -98,6 +98,7 @@ class _Guide:
             values=values,
             packet=packet,
             answer=self.answer(command, call, response),
+            host=node["host"].value if "host" in node else "",
             response=response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
         )
