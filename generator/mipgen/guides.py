@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from . import codec, evidence
 from . import model as m
@@ -92,13 +93,14 @@ class _Guide:
         self.supported(command, call.function, devices, node["command"].position)
         packet = self.packet(command.set, [(command, values)], place)
         response = self.response(node, command, call, values)
+        silent = bool(command.silent_when) and all(c.holds(values.get(c.parameter)) for c in command.silent_when)
         return Step(
             why=node["why"].value,
             command=command,
             values=values,
             packet=packet,
-            answer=self.answer(command, call, response),
-            response=response,
+            answer=b"" if silent else self.answer(command, call, response),
+            response=None if silent else response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
         )
 
@@ -192,6 +194,8 @@ class _Guide:
         return Stream(found, fields, packet, rate.value if rate else None, node.scalar("on_event", ""))
 
     def data_field(self, node: Node, s: m.Set, devices: tuple[m.Device, ...]) -> Shown:
+        if isinstance(node.value, dict) and len(node.value) != 1:
+            raise evidence.Wrong(node.position, "give one field and its values: - set.field: {parameter: value}")
         name, values = (node.value, None) if isinstance(node.value, str) else next(node.items())
         f = evidence.field_named(self.model, name, node.position)
         if f.role != m.DATA or f.set not in (s.number, m.SHARED_SET):
@@ -203,7 +207,7 @@ class _Guide:
         """A rate is a base rate divided by a whole number."""
         for d in devices:
             base = next((r.hertz for r in d.base_rates if r.set.name == s.name), 0)
-            if base and base % node.value:
+            if base and (Fraction(str(base)) / Fraction(str(node.value))).denominator != 1:  # of decimals, as written
                 message = f"{node.value} Hz is not the base rate of '{s.name}' on the {d.title}, {base} Hz, "
                 self.problems.add(node.position, message + "divided by a whole number")
 
