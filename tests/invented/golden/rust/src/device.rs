@@ -404,7 +404,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none
-    /// arrives within this number of milliseconds. With 0, it reads what has already arrived.
+    /// arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it reads
+    /// what has already arrived.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(
