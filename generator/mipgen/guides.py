@@ -33,6 +33,8 @@ def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> No
     for entry in node.get("see") or ():
         if entry.value not in known:
             problems.add(entry.position, f"no guide or field '{entry.value}'{nearest(entry.value, known)}")
+        elif entry.value == node["guide"].value:
+            problems.add(entry.position, f"'{entry.value}' is this guide itself; remove it")
 
 
 @dataclass
@@ -61,7 +63,13 @@ class _Guide:
         )
 
     def sequence(self, node: Node) -> Sequence:
-        devices = tuple(d for n in node["devices"] if (d := self.device(n)) is not None)
+        found = dict[str, m.Device]()
+        for n in node["devices"]:
+            if n.value in found:
+                self.problems.add(n.position, f"'{n.value}' is listed twice; remove one")
+            elif (d := self.device(n)) is not None:
+                found[n.value] = d
+        devices = tuple(found.values())
         steps = tuple(s for n in node["steps"] if (s := self.step(n, devices)) is not None)
         return Sequence(node["title"].value, devices, steps, sentences(node, "notes"))
 
@@ -92,15 +100,15 @@ class _Guide:
         call = self.call(command, values, place)
         self.supported(command, call.function, devices, node["command"].position)
         packet = self.packet(command.set, [(command, values)], place)
-        response = self.response(node, command, call, values)
-        silent = bool(command.silent_when) and all(c.holds(values.get(c.parameter)) for c in command.silent_when)
+        silent = _silent(command, call, values)
+        response = self.response(node, command, call, values, silent)
         return Step(
             why=node["why"].value,
             command=command,
             values=values,
             packet=packet,
-            answer=b"" if silent else self.answer(command, call, response),
-            response=None if silent else response,
+            answer=b"" if silent else self.answer(command, response),
+            response=response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
         )
 
@@ -136,13 +144,14 @@ class _Guide:
 
     # ----------------------------------------------------------------------- answers
 
-    def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values) -> Shown | None:
+    def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values, silent: bool) -> Shown | None:
         """The response, with the values that the step states, and typical ones beside them."""
         given = node.get("answer")
         possible = {
             r.full_name: r
             for reply in self.model.replies(f)
-            if (call.function is None or call.function in reply.functions)
+            if not silent
+            and (call.function is None or call.function in reply.functions)
             and all(c.holds(values.get(c.parameter)) for c in reply.when)
             for r in reply.layouts
         }
@@ -150,14 +159,12 @@ class _Guide:
             return self.shown(next(iter(possible.values())), None) if possible else None
         name, stated = next(given.items())
         if name not in possible:
-            remedy = f"the response is {' or '.join(possible)}" if possible else "an acknowledge alone; leave it out"
+            nothing = "no answer; leave it out" if silent else "an acknowledge alone; leave it out"
+            remedy = f"the response is {' or '.join(possible)}" if possible else nothing
             raise evidence.Wrong(given.keys[name], f"'{f.full_name}' is not answered with '{name}' here: {remedy}")
         return self.shown(possible[name], stated, node.get("example"))
 
-    def answer(self, f: m.Field, call: m.Call, response: Shown | None) -> bytes:
-        """Empty if the function is not acknowledged."""
-        if call.function is not None and not call.function.reply:
-            return b""
+    def answer(self, f: m.Field, response: Shown | None) -> bytes:
         acknowledge = (self.model.protocol.acknowledge.descriptor, bytes([f.descriptor, 0]))
         return codec.build(
             self.model, f.set, [acknowledge, *([(response.field.descriptor, response.data)] if response else [])]
@@ -217,6 +224,8 @@ class _Guide:
         before, after = self.device(node["from"]), self.device(node["to"])
         if before is None or after is None:
             return None
+        if before is after:
+            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; name another one")
         changes = tuple(
             Change(self.those(n, "fields", before), self.those(n, "by", after), n.scalar("note", ""))
             for n in node["changes"]
@@ -240,6 +249,13 @@ class _Guide:
             self.supported(f, None, (device,), entry.position)
             found.append(f)
         return tuple(found)
+
+
+def _silent(f: m.Field, call: m.Call, values: codec.Values) -> bool:
+    """Is there no answer to the command with these values?"""
+    if call.function is not None and not call.function.reply:
+        return True
+    return bool(f.silent_when) and all(c.holds(values.get(c.parameter)) for c in f.silent_when)
 
 
 def _lost(before: m.Device, after: m.Device) -> Iterator[str]:
