@@ -3031,7 +3031,7 @@ function programs(protocol, field, values) {
     });
     const given =
         field.role === "command"
-            ? "Each has a `device` that is open."
+            ? "Each assumes an open `device`."
             : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
     return [
         element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),

@@ -341,7 +341,7 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
     for fact in _measures(v, p, model):
         parts.append((f"{fact.topic} ", *fact.value))
     if v.valid is not None:
-        parts.append(_validity(v, p, record))
+        parts.append(_validity(v.valid, v.key if v.by_device else None, p, record))
     if v.deprecated is not None:
         parts.append(("deprecated" if v.deprecated else "not deprecated",))
     said = _interleaved(parts, "; ")
@@ -352,13 +352,37 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
     return said
 
 
-def _validity(v: m.Variant, p: m.Parameter, record: Record) -> Text:
-    """What says that the value is valid there."""
-    if not v.valid:
+def usual(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+    """What a parameter has in general where a variant of it differs, in words."""
+    if v.member:
+        return ("as on its page",)
+    parts: list[Text] = []
+    if v.type is not None or v.unknown or v.only:
+        if isinstance(p.element, (m.Enum, m.Bitfield)):
+            parts.append(("values of ", Ref(p.element, p.element.name)))
+        else:
+            parts.append(("numbers of descriptor sets" if p.shown == "set" else "any number",))
+    if v.constant is not None:
+        parts.append(("any value",))
+    general = {fact.topic: fact for fact in _measures(p, p, model)}
+    for topic in (fact.topic for fact in _measures(v, p, model)):
+        parts.append((f"{topic} ", *general[topic].value) if topic in general else (f"{topic} not known",))
+    if v.valid is not None:
+        parts.append(_validity(p.valid, None, p, record))
+    if v.deprecated is not None:
+        parts.append(("not deprecated" if v.deprecated else "deprecated",))
+    if v.description:
+        parts.append(prose(p.description.rstrip("."), model))
+    return _interleaved(parts, "; ")
+
+
+def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: Record) -> Text:
+    """What says that the value is valid, on one device or in general."""
+    if not valid:
         return ("no flag says whether it is valid",)
-    fact = _valid(v.valid, p, record, v.key if v.by_device else None)
-    many = len(set(v.valid)) > 1
-    state = "" if many else " is set" if "." in v.valid[0] else " is true"
+    fact = _valid(valid, p, record, device)
+    many = len(set(valid)) > 1
+    state = "" if many else " is set" if "." in valid[0] else " is true"
     return ("valid flags " if many else "valid if ", *fact.value, *([state] if state else []))
 
 

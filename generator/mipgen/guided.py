@@ -43,6 +43,7 @@ class Step:
     values: dict[str, Any]
     packet: bytes
     answer: bytes  # acknowledge, and response
+    host: str = ""  # what a program does then, without a command
     response: Shown | None = None
     data: tuple[Stream, ...] = ()
 

@@ -108,6 +108,7 @@ class _Guide:
             values=values,
             packet=packet,
             answer=b"" if silent else self.answer(command, response),
+            host=node["host"].value if "host" in node else "",
             response=response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
         )

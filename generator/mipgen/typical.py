@@ -48,7 +48,9 @@ class Typical:
         printed = self._printed.get((f.full_name, found.get("function")), {})
         needed = [p for p in call.required if p.constant is None]
         if needed and all(p.name in printed for p in needed):
-            return found | {p.name: printed[p.name] for p in needed}
+            tags = {q.tag for q in needed}  # what a union holds depends on them
+            own = {p.name: p.typical for p in needed if p.typical is not None and p.name not in tags}
+            return found | {p.name: printed[p.name] for p in needed} | own
         return found | _Record(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
@@ -161,6 +163,7 @@ class Given(Typical):
 
     call: m.Call
     given: codec.Values
+    host: str = ""  # what a program does after the answer
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
         return self.given

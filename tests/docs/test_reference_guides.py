@@ -74,6 +74,10 @@ def test_every_step_is_told(manual: Manual) -> None:
         for step in sequence.steps:
             wanted += [step.packet, *([step.answer] if step.answer else []), *(d.packet for d in step.data)]
             assert prose(step.why, manual.model) in words(part_of(manual, guide, sequence))
+            if step.host:  # in the step, and in three programs
+                page = part_of(manual, guide, sequence)
+                assert len(re.findall(rf"(?://|#|/\*) {re.escape(step.host)}", page)) == 3
+                assert f"Then {step.host[0].lower()}{step.host[1:]}" in page
         assert blocks == [spaced(w) for w in wanted]
         for packet in wanted:
             codec.split(manual.model, packet)

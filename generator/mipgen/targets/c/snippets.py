@@ -32,7 +32,7 @@ def sequence(name: str, steps: Sequence[tuple[m.Field, Given]]) -> str:
     for i, (f, given) in enumerate(steps):
         asked = _call(f, given.call, given, "result = " if i else "struct mip_result result = ", 88)
         title = f"/* {i + 1}: {title_of(f, given)} */"
-        body = "\n".join(asked).split("\n")
+        body = "\n".join(asked + ([f"/* {given.host} */"] if given.host else [])).split("\n")
         if i == 0:
             lines += [f"    {line}" for line in (title, *body)]
         else:

@@ -111,7 +111,7 @@ def surely(step: Step) -> str:
     given = {p.name for p in step.response.field.parameters if not p.derived}
     sure = [code(name) for name in step.response.stated if name in given]
     if len(sure) == len(given):
-        return "The values are always these."
+        return "The device always answers with these values."
     return f"Always as here: {', '.join(sure)}." if sure else "The values are an example."
 
 
@@ -192,7 +192,7 @@ def programs(page: Page, steps: Steps, guide: Guide) -> list[Program]:
 
 
 def _given(page: Page, step: Step) -> Given:
-    return Given(page.model, _call(step), step.values)
+    return Given(page.model, _call(step), step.values, step.host)
 
 
 def _call(step: Step) -> m.Call:
@@ -250,13 +250,16 @@ def meanings(page: Page, guide: Guide) -> str:
         one = told[0].get(path) or told[1][path]
         owner = next((x for x in page.model.commands(one.field)), one.field)
         if owner.full_name in both and one.field.role != m.RESPONSE:
-            said = [_reading(page, t.get(path)) for t in told]
+            said = [_reading(page, t.get(path), one) for t in told]
             rows.append([page.link(one.field), code(one.parameter.name), *said])
     return table(rows, ["Field", "Parameter", inline(move.before.title), inline(move.after.title)]) if rows else ""
 
 
-def _reading(page: Page, v: m.DeviceVariant | None) -> str:
-    return page.say(describe.difference(v.variant, v.parameter, v.field, page.model)) if v else "as on its page"
+def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
+    """What a parameter means on a device; on one that does not differ, what it has in place of the difference."""
+    if v is None:
+        return page.say(describe.usual(other.variant, other.parameter, other.field, page.model))
+    return page.say(describe.difference(v.variant, v.parameter, v.field, page.model))
 
 
 def added(page: Page, guide: Guide) -> Iterator[str]:

@@ -24,6 +24,7 @@ def sequence(steps: Sequence[tuple[m.Field, Given]]) -> str:
     lines = []
     for i, (f, given) in enumerate(steps):
         lines += [f"# {i + 1}: {title_of(f, given)}", *_sent(f, given, "print(")]
+        lines += [f"# {given.host}"] if given.host else []
     return _imports("\n".join(lines))
 
 

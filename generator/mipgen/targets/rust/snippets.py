@@ -28,6 +28,7 @@ class Snippets:
         lines = []
         for i, (f, given) in enumerate(steps):
             lines += [f"// {i + 1}: {title_of(f, given)}", *self._sent(f, given)]
+            lines += [f"// {given.host}"] if given.host else []
         return _uses("\n".join(lines))
 
     def _sent(self, f: m.Field, typical: Typical) -> list[str]:

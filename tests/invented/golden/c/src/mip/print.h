@@ -1,5 +1,6 @@
 /**
- * @file Prints packets and fields for people, with names, units and flags, and unknown bytes in
+ * @file
+ * Prints packets and fields for people, with names, units and flags, and unknown bytes in
  * hexadecimal. It links all types of all sets, so small programs should not use it.
  *
  *     char buffer[1024];

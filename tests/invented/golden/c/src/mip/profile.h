@@ -1,5 +1,6 @@
 /**
- * @file What a device supports, and how it differs from other devices. mip/profiles.h names the
+ * @file
+ * What a device supports, and how it differs from other devices. mip/profiles.h names the
  * devices.
  */
 #ifndef MIP_PROFILE_H

@@ -210,10 +210,9 @@ def shortest(numbers: Array) -> Array:
     left = np.flatnonzero((size >= 1e-5) & (size < 1e9))
     hard = np.isfinite(found) & (size > 0)
     hard[left] = False
-    if len(left):
-        exponent = np.floor(np.log10(size[left])).astype(np.intp)
-        exponent -= size[left] < _POWERS[exponent + 6]  # the logarithm is rounded
-        exponent += size[left] >= _POWERS[exponent + 7]
+    exponent = np.floor(np.log10(size[left])).astype(np.intp)
+    exponent -= size[left] < _POWERS[exponent + 6]  # the logarithm is rounded
+    exponent += size[left] >= _POWERS[exponent + 7]
     for digits in (6, 7, 8, 9):
         if not len(left):
             break
