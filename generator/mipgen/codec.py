@@ -338,6 +338,8 @@ def canonical(op: m.Operation, value: Any, where: str) -> Any:
         case m.TextOp():
             if not isinstance(value, str):
                 raise ValueError(f"{where} must be text, in quotes")
+            if any(c > "\xff" for c in value):
+                raise ValueError(f"{where} must be text of Latin-1 characters")
             return value.ljust(op.count or 0)
         case m.ArrayOp():
             if not isinstance(value, list):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from . import codec, evidence
 from . import model as m
@@ -32,6 +33,8 @@ def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> No
     for entry in node.get("see") or ():
         if entry.value not in known:
             problems.add(entry.position, f"no guide or field '{entry.value}'{nearest(entry.value, known)}")
+        elif entry.value == node["guide"].value:
+            problems.add(entry.position, f"'{entry.value}' is this guide itself; remove it")
 
 
 @dataclass
@@ -60,7 +63,13 @@ class _Guide:
         )
 
     def sequence(self, node: Node) -> Sequence:
-        devices = tuple(d for n in node["devices"] if (d := self.device(n)) is not None)
+        found = dict[str, m.Device]()
+        for n in node["devices"]:
+            if n.value in found:
+                self.problems.add(n.position, f"'{n.value}' is listed twice; remove one")
+            elif (d := self.device(n)) is not None:
+                found[n.value] = d
+        devices = tuple(found.values())
         steps = tuple(s for n in node["steps"] if (s := self.step(n, devices)) is not None)
         return Sequence(node["title"].value, devices, steps, sentences(node, "notes"))
 
@@ -91,13 +100,14 @@ class _Guide:
         call = self.call(command, values, place)
         self.supported(command, call.function, devices, node["command"].position)
         packet = self.packet(command.set, [(command, values)], place)
-        response = self.response(node, command, call, values)
+        silent = _silent(command, call, values)
+        response = self.response(node, command, call, values, silent)
         return Step(
             why=node["why"].value,
             command=command,
             values=values,
             packet=packet,
-            answer=self.answer(command, call, response),
+            answer=b"" if silent else self.answer(command, response),
             host=node["host"].value if "host" in node else "",
             response=response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
@@ -135,13 +145,14 @@ class _Guide:
 
     # ----------------------------------------------------------------------- answers
 
-    def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values) -> Shown | None:
+    def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values, silent: bool) -> Shown | None:
         """The response, with the values that the step states, and typical ones beside them."""
         given = node.get("answer")
         possible = {
             r.full_name: r
             for reply in self.model.replies(f)
-            if (call.function is None or call.function in reply.functions)
+            if not silent
+            and (call.function is None or call.function in reply.functions)
             and all(c.holds(values.get(c.parameter)) for c in reply.when)
             for r in reply.layouts
         }
@@ -149,14 +160,12 @@ class _Guide:
             return self.shown(next(iter(possible.values())), None) if possible else None
         name, stated = next(given.items())
         if name not in possible:
-            remedy = f"the response is {' or '.join(possible)}" if possible else "an acknowledge alone; leave it out"
+            nothing = "no answer; leave it out" if silent else "an acknowledge alone; leave it out"
+            remedy = f"the response is {' or '.join(possible)}" if possible else nothing
             raise evidence.Wrong(given.keys[name], f"'{f.full_name}' is not answered with '{name}' here: {remedy}")
         return self.shown(possible[name], stated, node.get("example"))
 
-    def answer(self, f: m.Field, call: m.Call, response: Shown | None) -> bytes:
-        """Empty if the function is not acknowledged."""
-        if call.function is not None and not call.function.reply:
-            return b""
+    def answer(self, f: m.Field, response: Shown | None) -> bytes:
         acknowledge = (self.model.protocol.acknowledge.descriptor, bytes([f.descriptor, 0]))
         return codec.build(
             self.model, f.set, [acknowledge, *([(response.field.descriptor, response.data)] if response else [])]
@@ -193,6 +202,8 @@ class _Guide:
         return Stream(found, fields, packet, rate.value if rate else None, node.scalar("on_event", ""))
 
     def data_field(self, node: Node, s: m.Set, devices: tuple[m.Device, ...]) -> Shown:
+        if isinstance(node.value, dict) and len(node.value) != 1:
+            raise evidence.Wrong(node.position, "give one field and its values: - set.field: {parameter: value}")
         name, values = (node.value, None) if isinstance(node.value, str) else next(node.items())
         f = evidence.field_named(self.model, name, node.position)
         if f.role != m.DATA or f.set not in (s.number, m.SHARED_SET):
@@ -204,7 +215,7 @@ class _Guide:
         """A rate is a base rate divided by a whole number."""
         for d in devices:
             base = next((r.hertz for r in d.base_rates if r.set.name == s.name), 0)
-            if base and base % node.value:
+            if base and (Fraction(str(base)) / Fraction(str(node.value))).denominator != 1:  # of decimals, as written
                 message = f"{node.value} Hz is not the base rate of '{s.name}' on the {d.title}, {base} Hz, "
                 self.problems.add(node.position, message + "divided by a whole number")
 
@@ -214,6 +225,8 @@ class _Guide:
         before, after = self.device(node["from"]), self.device(node["to"])
         if before is None or after is None:
             return None
+        if before is after:
+            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; name another one")
         changes = tuple(
             Change(self.those(n, "fields", before), self.those(n, "by", after), n.scalar("note", ""))
             for n in node["changes"]
@@ -237,6 +250,13 @@ class _Guide:
             self.supported(f, None, (device,), entry.position)
             found.append(f)
         return tuple(found)
+
+
+def _silent(f: m.Field, call: m.Call, values: codec.Values) -> bool:
+    """Is there no answer to the command with these values?"""
+    if call.function is not None and not call.function.reply:
+        return True
+    return bool(f.silent_when) and all(c.holds(values.get(c.parameter)) for c in f.silent_when)
 
 
 def _lost(before: m.Device, after: m.Device) -> Iterator[str]:

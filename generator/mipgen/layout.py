@@ -486,12 +486,16 @@ class _Build:
         meaning.check_shown(node, p, self.problem)
         if "typical" not in node:
             return p
-        meaning.check_typical(node, p, self.problem)
-        given = node["typical"]
+        given, found = node["typical"], list[tuple[m.Position, str]]()
+        meaning.check_typical(node, p, lambda place, message: found.append((place, message)))
         try:
             value = codec.canonical(p.operation, given.plain(), p.name)
-        except ValueError:
-            return p  # reported
+        except ValueError as error:
+            for place, message in found or [(given.position, f"the typical value of {error}")]:
+                self.problem(place, message)
+            return p
+        for place, message in found:
+            self.problem(place, message)
         if isinstance(p.operation, (m.ArrayOp, m.TextOp)) and len(value) > p.operation.capacity:
             most = p.operation.capacity
             self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {most} fit")

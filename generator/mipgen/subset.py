@@ -84,6 +84,7 @@ def _needed(model: m.Model, asked: Iterable[m.Field]) -> set[str]:
             waiting += model.responses(f)
             waiting += model.commands(f) if f.role == m.RESPONSE else ()
             waiting.append(model.original(f))
+            waiting += [s for c in f.silenced_by if (s := model.field(c.command or "")) is not None]
     return names
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from mipgen import model as m
+from mipgen import render
 from mipgen.errors import Failure
 from mipgen.subset import Selection, left_out, select
 from support import model
@@ -20,6 +21,7 @@ def whole(part: m.Model) -> None:
     types = {(getattr(t, "owner", None), t.name) for t in part.all_types}
     for f in (part.protocol.acknowledge, *part.fields):
         part.responses(f), part.commands(f), part.original(f), part.supports(f)
+        assert all(part.field(c.command) for c in f.silenced_by if c.command), f.full_name
         for p in f.parameters:
             for t in (p.element, *(v.type for v in p.variants)):
                 if isinstance(t, (m.Enum, m.Bitfield, m.Struct)) and t != part.protocol.function_selector:
@@ -74,6 +76,18 @@ def test_of_a_field(f: m.Field) -> None:
 def test_a_response_comes_with_its_commands() -> None:
     part = select(INVENTED, Selection(fields=("tools.bias_vector",)))
     assert names(part) == {"tools.bias_vector", "tools.bias", "tools.capture_bias"}
+
+
+@pytest.mark.parametrize(
+    ("spec", "name", "setting"),
+    [("real", "aiding.ned_velocity", "aiding.echo_control"), ("invented", "3d.default", "tools.settings")],
+)
+def test_a_command_comes_with_what_silences_it(spec: str, name: str, setting: str) -> None:
+    """Python's simulator asks for that setting."""
+    part = select(model(spec), Selection(fields=(name,)))
+    assert {name, setting} <= names(part)
+    whole(part)
+    assert render.render("python", part)
 
 
 def test_devices_narrow_sets() -> None:

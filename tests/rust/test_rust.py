@@ -18,8 +18,9 @@ from typing import Any
 
 import everything
 import pytest
-from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, write
+from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
 from mipgen import render
+from mipgen.subset import Selection, select
 from mipgen.targets.rust import names
 from support import ROOT, heavy, locked, need
 from support import driver as conformance_driver
@@ -219,6 +220,31 @@ def test_each_set_alone_builds(spec: str) -> None:
     assert sets
     for name in ("", *sets):
         lints(spec, "--no-default-features", "--features", name)
+
+
+PARTS = {
+    "device": ("real", Selection(devices=("3dm-gx5-15",))),
+    "set": ("real", Selection(sets=("base",))),
+    "field": ("invented", Selection(fields=("tools.ping",))),
+}
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_a_part_of_a_specification_builds(part: str) -> None:
+    """Nothing warns about what only the rest would use."""
+    spec, selection = PARTS[part]
+    folder = WORK / "parts" / part
+    with locked(WORK / f"part-{part}"):
+        write(without_dependencies(render.render("rust", select(specification(spec), selection))), folder)
+    for features in ("", "std,dynamic"):
+        passes(folder, "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
+
+
+def test_the_whole_has_no_dead_code() -> None:
+    """What a part may leave unused is used by the whole."""
+    arguments = ("check", "--quiet", "--offline", "--features", "std,dynamic")
+    done = cargo(bare("awkward"), *arguments, RUSTFLAGS="--force-warn dead_code --force-warn unused_macros")
+    assert done.returncode == 0 and "warning" not in done.stderr, done.stderr[-4000:]
 
 
 @each

@@ -103,7 +103,7 @@ impl<'a> Reader<'a> {
         if count <= self.data.len() {
             return Ok(());
         }
-        self.need = count; // behind what was read
+        (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // behind what was read
         Err(Invalid)
     }
 

@@ -20,6 +20,8 @@ struct Played {
     now: u32,
     /// The program is stopped for so long before the next read.
     stopped: u32,
+    /// Reading what comes takes so long.
+    pace: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +40,7 @@ impl Port for Played {
             self.coming.pop_front();
             return Err(Gone);
         }
+        self.now += self.pace;
         let count = chunk.len().min(buffer.len());
         buffer[..count].copy_from_slice(&chunk[..count]);
         chunk.drain(..count);
@@ -267,6 +270,38 @@ fn a_program_that_was_stopped_finds_what_came_in_time() {
     assert_eq!(device.request(&tools::Bias::read()), late);
     assert_eq!(device.port().coming.len(), 100 - 64);
     assert_eq!(next(&mut device), None);
+}
+
+#[test]
+fn bytes_that_keep_coming_hold_nothing_up() {
+    let talking = |pace| {
+        let mut device = device([]);
+        device.port_mut().pace = pace;
+        device.port_mut().coming.extend(vec![vec![0]; 1000]);
+        device
+    };
+    // Between the deadline and the end is what the first reading behind it leaves of 100 ms.
+    for (pace, end) in [(1, 64), (10, 110), (99, 297), (100, 200), (900, 1800)] {
+        let mut device = talking(pace);
+        assert!(device.next_packet(0).unwrap().is_none());
+        assert_eq!(device.port().now, end, "{pace}");
+    }
+    for (pace, end) in [(10, 1100), (100, 1100), (900, 2700)] {
+        let mut device = talking(pace);
+        let late = Err(DeviceError::Command(CommandError::TimedOut));
+        assert_eq!(device.request(&tools::Bias::read()), late);
+        assert_eq!(device.port().now, end, "{pace}");
+    }
+    // Each deadline has such a time of its own: an answer between two is not lost.
+    let mut device = talking(100);
+    device.port_mut().coming.insert(25, answered(4, &tools::StatusShort::default()));
+    let tickets = device.send_all(tools::SET, |request| {
+        Ok((request.add(&tools::Ping)?, request.add(&tools::Status::new(1))?))
+    });
+    let (ping, status) = tickets.unwrap();
+    assert_eq!(device.port().now, 2600);
+    assert_eq!(device.answer(&ping), Answer::TimedOut);
+    assert!(matches!(device.answer(&status), Answer::Acknowledged(_)));
 }
 
 /// A stream whose reads find nothing in one of the ways that there are.

@@ -5,7 +5,7 @@
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
 use mip_protocol::{
     devices, measurements, mip_3d, more, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Response,
+    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader, Response,
     ResponseOf, Role, Text,
 };
 
@@ -81,6 +81,17 @@ fn newer_firmware_may_append() {
         measurements::Growing::decode_with_trailing(&[0, 1, 0, 2, 9]).unwrap();
     assert_eq!((growing.second, growing.third, trailing), (Some(2), None, 1));
     assert_eq!(tools::Ping::decode_with_trailing(&[1, 2, 3]), Ok((tools::Ping, 3)));
+}
+
+#[test]
+fn a_reader_tells_its_last_error() {
+    let mut reader = Reader::new(&[7]);
+    assert!(reader.counted::<List<u8, 4>>(5_u8).is_err());
+    let error = reader.error("list");
+    assert_eq!((error.kind, error.need, error.got), (DecodeErrorKind::Count, 5, 1));
+    assert!(reader.read::<u16>().is_err());
+    let error = reader.error("number");
+    assert_eq!((error.kind, error.need, error.got), (DecodeErrorKind::Truncated, 2, 1));
 }
 
 #[test]

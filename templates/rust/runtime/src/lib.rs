@@ -46,7 +46,7 @@ mod text;
 
 pub mod devices;
 #[cfg(feature = "dynamic")]
-#[cfg_attr(not(feature = "default"), allow(dead_code, unused_imports))] // few sets use all of it
+#[allow(dead_code, unused_imports)] // few sets use all of it
 pub mod dynamic;
 pub mod protocol;
 pub mod registry;

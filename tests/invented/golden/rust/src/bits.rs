@@ -1,5 +1,7 @@
 //! Bits of numbers, and of byte arrays whose least significant byte comes first.
 
+#![allow(dead_code, unused_imports, unused_macros)] // few parts of the specification use all of it
+
 use core::fmt;
 
 /// A named bit, or a number of several bits, inside a bitfield.

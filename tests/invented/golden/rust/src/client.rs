@@ -406,7 +406,8 @@ impl<const N: usize> Client<N> {
         Self::with_timeout(DEFAULT_TIMEOUT_MS)
     }
 
-    /// A client that waits this long for a reply; longer for commands that take longer.
+    /// A client that waits this long for a reply; longer for commands that take longer. The longest
+    /// time is 2³¹ - 1 ms, 24.8 days.
     #[must_use]
     pub const fn with_timeout(timeout_ms: u32) -> Self {
         let mut client = Self::NEW;
@@ -440,6 +441,8 @@ impl<const N: usize> Client<N> {
     }
 
     /// When the next command times out.
+    ///
+    /// Time wraps around: it is over when `now_ms.wrapping_sub(deadline) <= u32::MAX / 2`.
     #[must_use]
     pub fn deadline(&self) -> Option<u32> {
         let deadlines = self.table().waiting().map(|slot| slot.deadline);

@@ -125,10 +125,35 @@ const CHUNK: usize = 256;
 /// program was suspended, the answer may be behind the bytes that arrived in the meantime.
 const BACKLOG: u8 = 64;
 
+/// Reading them takes no longer than this many milliseconds; what takes longer is arriving now.
+const CATCH_UP: u32 = 100;
+
 /// Ends waiting after the deadline: nothing more has arrived, or too much.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
     *backlog = backlog.saturating_sub(late.into());
     late && (!came || *backlog == 0)
+}
+
+/// What a blocking device has read after a deadline.
+struct Waited {
+    backlog: u8,
+    since: Option<u32>,
+}
+
+impl Waited {
+    const fn new() -> Self {
+        Self { backlog: BACKLOG, since: None }
+    }
+
+    /// Ends waiting, also if the port takes its time: then these bytes are no backlog.
+    fn is_over(&mut self, deadline: u32, now_ms: u32, came: bool) -> bool {
+        if !has_passed(deadline, now_ms) {
+            *self = Self::new();
+            return false;
+        }
+        let since = *self.since.get_or_insert(now_ms);
+        is_over(true, came && now_ms.wrapping_sub(since) < CATCH_UP, &mut self.backlog)
+    }
 }
 
 /// The state of the communication with a device, without its port.
@@ -358,11 +383,11 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Until no command waits.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        let mut backlog = BACKLOG;
+        let mut waited = Waited::new();
         while let Some(deadline) = self.core.client.deadline() {
             let came = self.read()?;
             let now_ms = self.port.now_ms();
-            if is_over(has_passed(deadline, now_ms), came, &mut backlog) {
+            if waited.is_over(deadline, now_ms, came) {
                 self.core.tick(now_ms);
             }
         }
@@ -379,7 +404,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none
-    /// arrives within this number of milliseconds. With 0, it reads what has already arrived.
+    /// arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it reads
+    /// what has already arrived.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(
@@ -389,13 +415,13 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.client.give_up();
         if self.core.data.len() == 0 {
             let end = after(self.port.now_ms(), wait_ms);
-            let mut backlog = BACKLOG;
+            let mut waited = Waited::new();
             loop {
                 let came = self.read()?;
                 if self.core.data.len() > 0 {
                     break;
                 }
-                if is_over(has_passed(end, self.port.now_ms()), came, &mut backlog) {
+                if waited.is_over(end, self.port.now_ms(), came) {
                     self.core.look_behind();
                     break;
                 }

@@ -1,5 +1,6 @@
 //! The devices.
 
+#[allow(unused_imports)] // a part of the specification needs fewer
 use super::{BaseRate, Device, Limit, Port, Variant};
 use crate::protocol::AckCode;
 
