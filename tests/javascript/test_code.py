@@ -199,3 +199,23 @@ def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
         assert {"filter.speed_measurement", "3dm.gnss_assisted_fix", "gnss.signal_config", "aiding.pressure"} <= {
             *chosen
         }
+
+
+def test_a_union_without_a_value(tmp_path: Path) -> None:
+    """Of a type that has no name: C leaves it out of its structure, where {0} would lack braces."""
+    of = model("real")
+    f = of.field("3dm.event_trigger_config")
+    assert f is not None
+    held = {"descriptor_set": 0x82, "field_descriptor": 5, "parameter_id": 1, "type": 9, "thresholds": {}}
+    values = {"function": 1, "instance": 1, "type": 2, "parameters": {"threshold": held}}
+    text = programs("real", {f.full_name: [values]}, tmp_path)[f.full_name]["c"]
+    assert text == c.command(f, Given(of, values)) and "thresholds" not in text
+    source = tmp_path / "program.c"
+    head, _, body = text.partition("\n")
+    source.write_text(
+        f"{head}\nvoid program(struct mip_device *device);\nvoid program(struct mip_device *device) {{{body}}}"
+    )
+    flags = ["-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-Wmissing-braces", "-Werror"]
+    command = [need("cc"), *flags, f"-I{SPECS['real'][1]}/c/src", source]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
