@@ -50,4 +50,22 @@ QUERIES = {
     "zero velocity": "filter.auto_zupt",
     "saturation": "sensor.overrange_status",
     "satellites": "gnss_1.sv_info",
+    # symbols of values
+    "MIP_ACK_CODE_INVALID_PARAMETER": "protocol.acknowledge",
+    "AckCode.INVALID_PARAMETER": "protocol.acknowledge",
+    "AckCode::InvalidParameter": "protocol.acknowledge",
+}
+
+#: What people type to find a page or a section, and its address within the site: the first result.
+PAGES = {
+    "stream imu data": "guides/stream_imu_data.html",
+    "Stream IMU data at 100 Hz": "guides/stream_imu_data.html",
+    "bandwidth": "tools/bandwidth.html",
+    "inspector": "tools/inspector.html",
+    "checksum": "packets.html#checksum",
+    "units": "units.html#units",
+    "GX5-15 CV7": "guides/migrate_from_gx5_15_to_cv7.html",
+    "frames of reference": "units.html#frames-of-reference",
+    "0x7565": "packets.html#frame",
+    "3DM-CV7-GNSS/INS": "devices/3dm-cv7-gnss-ins.html",
 }

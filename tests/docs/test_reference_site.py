@@ -20,6 +20,7 @@ from urllib.parse import unquote
 import browser
 import pytest
 from mipgen import render
+from queries import PAGES as WANTED_PAGES
 from queries import QUERIES
 from reference import manual_of, navigation
 from support import BUILD, ROOT, SPECS, heavy, locked, model, need
@@ -230,8 +231,28 @@ def test_what_people_type(page: browser.Page) -> None:
     first = {}
     for query in QUERIES:
         typed(page, query)
-        first[query] = results(page)[0]
+        first[query] = next(iter(results(page)), "nothing")
     assert first == {query: page_of(field) for query, field in QUERIES.items()}
+
+
+@in_browser
+def test_what_people_type_for_pages(page: browser.Page) -> None:
+    """Pages and sections that the words name come before fields that have the words."""
+    go(page, "fields/base/ping.html")
+    first = {}
+    for query in WANTED_PAGES:
+        typed(page, query)
+        first[query] = next(iter(results(page)), "nothing")
+    assert first == WANTED_PAGES
+
+
+@in_browser
+def test_collections_come_last(page: browser.Page) -> None:
+    go(page, "index.html")
+    for query in ("checksum", "event trigger", "baud rate", "gnss"):
+        typed(page, query)
+        collected = [address.startswith(("errata.html#", "examples.html#")) for address in results(page)]
+        assert collected == sorted(collected), query
 
 
 @in_browser

@@ -120,6 +120,34 @@ def test_descriptors_are_known() -> None:
     assert seen > 30
 
 
+@pytest.mark.parametrize("spec", ["real", "invented"])
+def test_data_is_valid(spec: str) -> None:
+    """The flags of a value are set: a program that heeds them would skip what a page shows."""
+    seen = 0
+    for f, call, _ in every(spec):
+        for p, _, record in leaves(f.parameters, typical(spec).whole(f, call)):
+            for path in p.valid:
+                name, _, bit = path.partition(".")
+                flags, held = next(q.element for q in record_of(f.parameters, p) if q.name == name), record[name]
+                seen += 1
+                if not bit:
+                    assert held == 1, (f.full_name, path)
+                    continue
+                assert isinstance(flags, m.Bitfield)
+                bits = next(b for b in flags.bits if b.name == bit.partition(".")[0])
+                number = int.from_bytes(bytes(held), "little") if isinstance(held, list) else held
+                assert number & bits.mask, (f.full_name, path)
+    assert seen > (1000 if spec == "real" else 10)
+
+
+def record_of(parameters: tuple[m.Parameter, ...], p: m.Parameter) -> tuple[m.Parameter, ...]:
+    """The parameters beside one: those of a field or a structure."""
+    if p in parameters:
+        return parameters
+    inside = (q.element.parameters for q in parameters if isinstance(q.element, m.Struct))
+    return next((found for one in inside if (found := record_of(one, p))), ())
+
+
 def test_what_a_reader_would_send() -> None:
     f = model("real").field("3dm.message_format")
     assert f is not None

@@ -73,6 +73,20 @@ def test_nothing_chosen(page: browser.Page) -> None:
     assert page.run("choose('', [])") == {"need": None, "ports": {}}
 
 
+@pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates])
+def test_base_rates(page: browser.Page, device: str) -> None:
+    """0 is known: such a set is sent as it arrives."""
+    page.run(f"choose({device!r}, [])")
+    d = model("real").device(device)
+    assert d is not None
+    known = {r.set.name: f"base rate {r.hertz:g} Hz" if r.hertz else "sent as it arrives" for r in d.base_rates}
+    sets = "[...document.querySelectorAll('[data-set]')]"
+    shown = page.run(f"Object.fromEntries({sets}.map((one) => [one.dataset.set, one.firstChild.textContent]))")
+    assert shown
+    for name, text in shown.items():
+        assert text.rpartition(", ")[2] == known.get(name, "base rate not known")
+
+
 @pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates and d.ports])
 def test_random_streams(page: browser.Page, device: str) -> None:
     of, chance = model("real"), random.Random(device)

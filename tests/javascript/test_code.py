@@ -165,3 +165,57 @@ def run_python(spec: str, bodies: list[tuple[m.Field, codec.Values, str]]) -> No
     sent = done.stdout.split("\n")
     for (f, values, text), data in zip(bodies, sent, strict=False):
         assert data == codec.encode(f, values).hex(), (f.full_name, text)
+
+
+def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[str, codec.Values] | None:
+    """The name of the first parameter that is reserved, and the values with another one there."""
+    for p in parameters:
+        if p.name not in values or values[p.name] == []:
+            continue
+        value = values[p.name]
+        first = value[0] if isinstance(value, list) else value
+        if p.reserved is not None:
+            scalar = p.element.scalar if isinstance(p.element, (m.Enum, m.Bitfield)) else p.element
+            assert isinstance(scalar, m.Scalar)
+            other = "0x41000000" if scalar.kind == "float" else first ^ 2
+            return p.name, values | {p.name: [other, *value[1:]] if isinstance(value, list) else other}
+        if isinstance(p.element, m.Struct) and (inside := spoiled(p.element.parameters, first)):
+            name, other = inside
+            return name, values | {p.name: [other, *value[1:]] if isinstance(value, list) else other}
+    return None
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
+    """Constructors set it: a program would send something else than the packet beside it."""
+    commands = (f for f in model(spec).fields if f.role == m.COMMAND)
+    typical = ((f, Typical(model(spec)).values(f, f.calls[0])) for f in commands)
+    chosen = {f.full_name: found for f, values in typical if (found := spoiled(f.parameters, values))}
+    found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
+    for name, (reserved_, _) in chosen.items():
+        why = f"{reserved_} is reserved; set it in the object of the command"
+        assert set(found[name].values()) == {f"MipError program: no program can be given here: {why}"}, name
+    if spec == "real":
+        assert {"filter.speed_measurement", "3dm.gnss_assisted_fix", "gnss.signal_config", "aiding.pressure"} <= {
+            *chosen
+        }
+
+
+def test_a_union_without_a_value(tmp_path: Path) -> None:
+    """Of a type that has no name: C leaves it out of its structure, where {0} would lack braces."""
+    of = model("real")
+    f = of.field("3dm.event_trigger_config")
+    assert f is not None
+    held = {"descriptor_set": 0x82, "field_descriptor": 5, "parameter_id": 1, "type": 9, "thresholds": {}}
+    values = {"function": 1, "instance": 1, "type": 2, "parameters": {"threshold": held}}
+    text = programs("real", {f.full_name: [values]}, tmp_path)[f.full_name]["c"]
+    assert text == c.command(f, Given(of, values)) and "thresholds" not in text
+    source = tmp_path / "program.c"
+    head, _, body = text.partition("\n")
+    source.write_text(
+        f"{head}\nvoid program(struct mip_device *device);\nvoid program(struct mip_device *device) {{{body}}}"
+    )
+    flags = ["-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-Wmissing-braces", "-Werror"]
+    command = [need("cc"), *flags, f"-I{SPECS['real'][1]}/c/src", source]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

@@ -36,6 +36,7 @@ READ = """
             number: row.cells[2].querySelector(".mip-number").textContent,
             name: row.cells[2].querySelector("code")?.textContent ?? null,
             value: row.cells[2].textContent,
+            meaning: row.cells[3].textContent,
             flags: [...row.cells[3].querySelectorAll(".mip-flag")].map((flag) => flag.textContent),
         })),
     })),
@@ -219,6 +220,13 @@ PING = codec.checksum(bytes.fromhex("756501020201"))
         "00000000  75 65 01 02 02 01 e0 c6                           |ue......|",
         "00000000: 7565 0102 0201 e0c6                      ue......",
         "0000   75 65 01 02 02 01 e0 c6   ue......",
+        "75 65 1 2 2 1 e0 c6",
+        "sent: 75 65 1 2 2 1 e0 c6\n",
+        "75 65 1 2\n2 1 e0 c6",
+        "[0x75, 0x65, 1, 2, 2, 1, 0xE0, 0xC6]",
+        "{0x75,0x65,1,2,2,1,0xE0,0xC6}; // 3 ms",
+        "1 75 65 01 02 02 01 e0 c6",
+        "75 65 1 2 2 1 e0 c6 is a ping",
         "75650102  0201 E0C6",
         "7565  0102 0201 e0c6",
         "sent: 75 65 01 02 02\nthen: 01 e0 c6",
@@ -228,6 +236,54 @@ def test_any_form(page: browser.Page, text: str) -> None:
     (shown,) = inspected(page, text)
     assert shown["kind"] == "packet" and shown["bytes"] == "75 65 01 02 02 01 E0 C6"
     assert [f["name"] for f in shown["fields"]] == ["base.ping"]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("a b 75 65", "75 65"),
+        ("75 65 a packet", "75 65"),
+        ("3 4 5 packets: 75 65", "75 65"),
+        ("75 65 1 2 2 1 b 5", "75 65 01 02 02 01 0B 05"),
+        ("after 0.5 s: 75 65 1, 2", "75 65 01 02"),
+    ],
+)
+def test_single_digits(page: browser.Page, text: str, wanted: str) -> None:
+    """Between bytes, and at the end of a list, they are bytes; in words, they are none."""
+    inspected(page, text)
+    shown = page.run(
+        "[...document.querySelectorAll('.mip-other code, .mip-packet > .mip-bytes')].map(x => x.textContent)"
+    )
+    assert shown == [wanted]
+
+
+def others(page: browser.Page, text: str) -> list[str]:
+    assert inspected(page, text) == []
+    found: list[str] = page.run("[...document.querySelectorAll('.mip-other .mip-wrong')].map((one) => one.textContent)")
+    return found
+
+
+def test_why_bytes_are_no_packet(page: browser.Page) -> None:
+    begin = "What begins like a packet at byte"
+    assert others(page, "75 65 01 02 00 01 E0 C6") == [f"{begin} 1 is none: a field of length 0 in 2 bytes."]
+    assert others(page, "AA 75 65 01 02 03 01 E0 C6") == [f"{begin} 2 is none: a field of length 3 in 2 bytes."]
+    assert others(page, "75 65 00 00 DA 4F") == [f"{begin} 1 is none: descriptor set 0x00, which no packet has."]
+    assert others(page, "12 34 56") == []
+
+
+def test_sets_and_fields_are_named(page: browser.Page) -> None:
+    """Of a field itself, and of a structure, whose set is beside it."""
+    (shown,) = inspected(page, "75 65 0C 0B 0B 0F 01 80 02 04 00 0A 05 00 0A AB 00")
+    found = {row["path"]: (row["number"], row["meaning"]) for row in shown["fields"][0]["rows"]}
+    assert found["descriptor_set"] == ("0x80", "Sensor data")
+    assert found["descriptors[0].descriptor"] == ("0x04", "Scaled accel")
+    assert found["descriptors[1].descriptor"] == ("0x05", "Scaled gyro")
+    assert found["descriptors[1].decimation"][0] == "10"
+    (shown,) = inspected(page, "75 65 0C 0D 0D 0F 01 82 02 D3 00 0A 05 00 0A 00 00")
+    found = {row["path"]: (row["number"], row["meaning"]) for row in shown["fields"][0]["rows"]}
+    wanted = {f.descriptor: f.title for f in model("real").fields if f.set in (0x82, 0xFF)}
+    assert found["descriptors[0].descriptor"] == ("0xD3", wanted[0xD3])
+    assert found["descriptors[1].descriptor"] == ("0x05", wanted[5])
 
 
 def test_a_wrong_checksum(page: browser.Page) -> None:
@@ -273,3 +329,12 @@ def test_the_reading_of_a_device(page: browser.Page) -> None:
         (shown,) = inspected(page, packet.hex(), device)
         found[device] = [(row["value"], row["flags"]) for row in shown["fields"][0]["rows"]]
     assert found["3dm-gx5-15"] != found["3dm-cv7-gnss-ins"]
+
+
+def test_what_depends_on_the_device_is_said(page: browser.Page) -> None:
+    words = "Depends on the device; choose one above."
+    packet = "75 65 82 08 08 10 00 04 00 01 00 01 82 F7"
+    (shown,) = inspected(page, packet)
+    assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [True] * 3
+    (shown,) = inspected(page, packet, "3dm-cv7-gnss-ins")
+    assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [False] * 3

@@ -291,9 +291,9 @@ function cUnion(names, parameter, op, value) {
 function cRecord(names, record, values) {
     const held = record.parameters
         .filter((parameter) => parameter.constant === undefined && Object.hasOwn(values, parameter.name))
-        .map((parameter) => {
-            const op = operationOf(record, parameter.name);
-            const value = values[parameter.name];
+        .map((parameter) => [parameter, operationOf(record, parameter.name), values[parameter.name]])
+        .filter(([, op, value]) => op.kind !== "switch" || alternativeOf(op, value)) // {0} would lack braces inside
+        .map(([parameter, op, value]) => {
             const text = op.kind === "switch" ? cUnion(names, parameter, op, value) : cValue(names, parameter, op, value);
             return `.${names.member(parameter.name)} = ${text}`;
         });

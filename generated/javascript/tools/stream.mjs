@@ -32,8 +32,8 @@ export function portsFor(device, baud) {
 }
 
 /**
- * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate, if it is
- * known. Without a device, all.
+ * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, all.
  */
 export function streamsOf(protocol, device) {
     const supported = device && new Set(device.supports?.map((support) => support.field));
@@ -43,7 +43,7 @@ export function streamsOf(protocol, device) {
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
-        .map((set) => ({ set, base: rates.get(set.name) || undefined, own: fieldsOf(set) }))
+        .map((set) => ({ set, base: rates.get(set.name), own: fieldsOf(set) }))
         .filter(({ own }) => own.length)
         .map(({ set, base, own }) => ({ set, base, fields: [...shared, ...own] }));
 }

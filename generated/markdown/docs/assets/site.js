@@ -79,12 +79,24 @@
     const FIELDS = 8;
     const PASSAGES = 10;
     const OF_A_PAGE = 3;
+    const LEADING = 4;
+    const COLLECTIONS = ["errata.html", "examples.html"]; // they repeat what other pages have
 
     function wordsOf(text) {
         return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
     }
 
-    /** The sections of all pages that have all words, the best first: in a heading, in the title, in the text. */
+    /** How much of a heading the words are, from 0 to 1; 0 if it lacks one of them. */
+    function shareOf(heading, patterns) {
+        const all = wordsOf(heading);
+        return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
+    }
+
+    /**
+     * The sections of all pages that have all words, the best first: in a heading, in the title, in the text. `leads` is more
+     * than 0 for what is named by the words: the pages that have them in the title, the sections whose headings are mostly
+     * these words.
+     */
     function passages(text, without) {
         const words = [...new Set(wordsOf(text))];
         if (!words.length || words.join("").length < 2) return [];
@@ -94,17 +106,25 @@
             if (without.has(url)) continue;
             const ranked = [];
             for (const [anchor, heading, content] of sections) {
+                if (without.has(`${url}#${anchor}`)) continue;
                 const places = [heading || title, title, content].map((place) => place.toLowerCase());
                 const ranks = patterns.map((pattern) => places.findIndex((place) => pattern.test(place)));
                 // A heading of the page is enough: the title alone is no reason to show each of its sections.
                 if (ranks.includes(-1) || (heading && ranks.every((rank) => rank === 1))) continue;
                 const whole = places.findIndex((place) => place.includes(text.toLowerCase()));
-                const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0);
-                ranked.push({ rank, url, title, anchor, heading, content, patterns });
+                const last = COLLECTIONS.includes(url) ? 9 : 0;
+                const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0) + last;
+                const listed = heading && (last || url.startsWith("compare/")); // with what is described elsewhere
+                const share = url.startsWith("fields/") || listed ? 0 : shareOf(heading || title, patterns);
+                const leads = heading && share < 0.5 ? 0 : share;
+                ranked.push({ rank, leads, url, title, anchor, heading, content, patterns });
             }
             found.push(...ranked.sort((a, b) => a.rank - b.rank).slice(0, OF_A_PAGE));
         }
-        return found.sort((a, b) => a.rank - b.rank).slice(0, PASSAGES);
+        const leading = found.filter(({ leads }) => leads).sort((a, b) => b.leads - a.leads || a.rank - b.rank);
+        const first = new Set(leading.slice(0, LEADING));
+        const others = found.filter((one) => !first.has(one)).sort((a, b) => a.rank - b.rank);
+        return [...first, ...others.map((one) => ({ ...one, leads: 0 }))].slice(0, PASSAGES);
     }
 
     /** What stands around the first of the words. */
@@ -125,6 +145,12 @@
         const [set, page] = (field.command ?? field.name).split(".");
         const page_ = field.set ? `fields/${set}/${page}.html` : "packets.html";
         return { page: page_, href: `${site}${page_}#${field.name}` };
+    }
+
+    /** What shows a field: its page, or a section of one that shows more. */
+    function shownBy(field) {
+        const { page } = addressOf(field);
+        return page.startsWith("fields/") ? page : `${page}#${field.name}`;
     }
 
     function fieldItem(field) {
@@ -173,9 +199,18 @@
                 status.textContent = text ? "Loading …" : "";
                 return;
             }
-            const fields = fieldsOf(mip.find(index, text, 2 * FIELDS).map(({ field }) => field)).slice(0, FIELDS);
-            const parts = passages(text, new Set(fields.map((field) => addressOf(field).page)));
-            results.replaceChildren(...list("Fields", fields.map(fieldItem)), ...list("Pages", parts.map(passageItem)));
+            const ranked = mip.find(index, text, 2 * FIELDS);
+            const fields = fieldsOf(ranked.map(({ field }) => field)).slice(0, FIELDS);
+            // What has the name that is typed or begun, or is asked for by descriptor, comes before pages.
+            const named = ranked.length > 0 && ranked[0].rank < 2;
+            const parts = passages(text, new Set(fields.map(shownBy)));
+            const leading = named ? [] : parts.filter(({ leads }) => leads);
+            const others = parts.filter((one) => !leading.includes(one));
+            results.replaceChildren(
+                ...list("Pages", leading.map(passageItem)),
+                ...list("Fields", fields.map(fieldItem)),
+                ...list(leading.length ? "In the text" : "Pages", others.map(passageItem)),
+            );
             const counts = [count(fields.length, "field"), count(parts.length, "passage")].filter(Boolean);
             status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
         };

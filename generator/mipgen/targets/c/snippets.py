@@ -85,9 +85,7 @@ def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[s
     """What must be declared before, and what is passed."""
     name, op = argument_name(p.name), p.operation
     if p.element is None:
-        alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
-        held = f".{member(alternative.name)} = {_value(alternative, value[alternative.name])}" if alternative else "0"
-        return [f"const union {union_name(p, f)} {name} = {{{held}}};"], [f"&{name}"]
+        return [f"const union {union_name(p, f)} {name} = {_union(p, value)};"], [f"&{name}"]
     if isinstance(op, m.TextOp):
         count = [str(len(value))] if p.length == "rest" else []
         return [], [*count, string(value)]
@@ -107,23 +105,24 @@ def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[s
 
 
 def _record(parameters: tuple[m.Parameter, ...], values: dict[str, Any]) -> str:
+    """A union without a value is left out: compilers want more braces than {0} for it."""
     held = [
-        f".{member(p.name)} = {_member(p, values[p.name])}"
+        f".{member(p.name)} = {_union(p, values[p.name]) if p.element is None else _value(p, values[p.name])}"
         for p in parameters
-        if p.constant is None and p.name in values
+        if p.constant is None and p.name in values and (p.element is not None or _alternative(p, values[p.name]))
     ]
     return f"{{{', '.join(held) or '0'}}}"
 
 
-def _member(p: m.Parameter, value: Any) -> str:
-    if p.element is None:
-        alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
-        return (
-            f"{{.{member(alternative.name)} = {_value(alternative, value[alternative.name])}}}"
-            if alternative
-            else "{0}"
-        )
-    return _value(p, value)
+def _union(p: m.Parameter, value: Any) -> str:
+    alternative = _alternative(p, value)
+    held = f".{member(alternative.name)} = {_value(alternative, value[alternative.name])}" if alternative else "0"
+    return f"{{{held}}}"
+
+
+def _alternative(p: m.Parameter, value: Any) -> m.Parameter | None:
+    """The one case that a union has."""
+    return next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
 
 
 def _value(p: m.Parameter, value: Any, op: m.Operation | None = None) -> str:

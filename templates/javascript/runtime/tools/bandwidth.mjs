@@ -30,7 +30,7 @@ export function bandwidth(root, protocol, options = {}) {
 }
 
 function streamTable({ set, base }, rows) {
-    const rate = base ? `base rate ${base} Hz` : "base rate not known";
+    const rate = base ? `base rate ${base} Hz` : base === 0 ? "sent as it arrives" : "base rate not known";
     const heads = ["Field", "Bytes", base ? "Decimation" : "Rate in Hz", "Rate"].map((text) => element("th", { scope: "col" }, text));
     return element(
         "details",

@@ -23,7 +23,7 @@ import {
 import { LANGUAGES, programOf } from "./code.mjs";
 import { element, links } from "./dom.mjs";
 import { bytesOfText } from "./input.mjs";
-import { decimal, descriptorOf, hexByte, hexLiteral, spacedHex } from "./words.mjs";
+import { choicesOf, decimal, descriptorOf, hexByte, hexLiteral, spacedHex } from "./words.mjs";
 
 /**
  * Fills an element with the builder. `options` are those of `links`, and `field`, what to begin with: the name of a field,
@@ -368,7 +368,8 @@ let lastList = 0; // for ids
 /** A number that people know in hexadecimal, with the sets or fields to choose from, and what it means. */
 function hexInput(context, parameter, value, size, set) {
     const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
-    const choices = choicesOf(context, parameter);
+    const { protocol, values, outer } = context;
+    const choices = choicesOf(protocol, parameter, values, outer);
     const meaning = element("small", { class: "mip-meant" }, choices.get(Number(value)) ?? "");
     control.addEventListener("input", () => {
         const number = numberOfText(control.value, "unsigned");
@@ -387,22 +388,6 @@ function hexInput(context, parameter, value, size, set) {
 
 function hexOf(value, size) {
     return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
-}
-
-/** Number -> title of the data sets, or of the fields of the set that a parameter refers to. */
-function choicesOf({ protocol, values, outer }, parameter) {
-    if (parameter.shown === "set") {
-        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
-        return new Map(sets.map((one) => [one.number, one.title]));
-    }
-    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
-    if (parameter.shown !== "field" || !where) return new Map();
-    const set = Object.hasOwn(record, where)
-        ? protocol.sets.get(Number(record[where]))
-        : protocol.model.sets.find((one) => one.name === where);
-    if (set?.kind !== "data") return new Map();
-    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
-    return new Map(fields.map((field) => [field.descriptor, field.title]));
 }
 
 /** The switches of a record that a parameter selects. */

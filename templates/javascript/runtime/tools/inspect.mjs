@@ -1,15 +1,15 @@
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
-import { fromHex, sameBytes } from "../mip/bytes.mjs";
+import { MipError, fromHex, sameBytes } from "../mip/bytes.mjs";
 import { namedType, parametersAt, valueAt } from "../mip/names.mjs";
 import { Packet } from "../mip/packet.mjs";
 import { segments } from "../mip/parser.mjs";
 import { bytesOfText } from "./input.mjs";
-import { pathText, shown } from "./words.mjs";
+import { choicesOf, pathText, shown } from "./words.mjs";
 
 /**
  * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
- * the checksum that is right.
+ * the checksum that is right, and other bytes `why`: what keeps those that begin like a packet from being one.
  *
  * @param device the id of a device, whose readings are used where they differ
  */
@@ -19,13 +19,25 @@ export function inspect(protocol, text, device = undefined) {
 }
 
 function inspectPart(protocol, part, device) {
-    if (part.kind === "other") return part;
+    if (part.kind === "other") return { ...part, why: whyOther(protocol, part.bytes) };
     const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
     const set = protocol.sets.get(part.bytes[2]);
     const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
     const verdict =
         part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
     return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
+}
+
+/** What is wrong with the frames that begin with the sync bytes: [{ at, error }]. */
+function whyOther(protocol, bytes) {
+    const found = [];
+    for (let at = 0; at + 3 < bytes.length; at++) {
+        const frame = new Packet(protocol, bytes.subarray(at, at + bytes[at + 3] + 6));
+        if (!sameBytes(bytes.subarray(at, at + 2), protocol.sync)) continue;
+        if (!bytes[at + 2]) found.push({ at, error: new MipError("set", "descriptor set 0x00, which no packet has") });
+        else if (frame.bytes.length === bytes[at + 3] + 6) found.push({ at, error: frame.decode().at(-1)?.error });
+    }
+    return found.filter(({ error }) => error);
 }
 
 /** The beginning of a packet with zeros in place of what is missing. */
@@ -48,16 +60,21 @@ function inspectField(protocol, raw, packet, part, device) {
 function inspectValue(protocol, { field, values, data }, part, device) {
     const parameters = parametersAt(protocol, field, part.path);
     const { parameter } = parameters.at(-1);
-    const names = part.path.length - 1 - [...part.path].reverse().findIndex((step) => typeof step !== "number");
-    const siblings = valueAt(values, part.path.slice(0, names));
+    const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
+    const [siblings, around] = [places.at(-1), places.at(-2)].map((place) => valueAt(values, part.path.slice(0, place)));
     const type = namedType(protocol, parameter, siblings, device);
-    const index = part.path.slice(names + 1).at(-1);
+    const index = part.path.slice(places.at(-1) + 1).at(-1);
+    const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
+    const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
+    const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
         path: pathText(protocol, parameters, part.path),
         bytes: data.subarray(part.offset, part.offset + part.size),
         value: part.value,
         parameter,
         type,
+        meaning,
+        byDevice: byDevice && device === undefined && meaning === undefined,
         ...shown(protocol, part, parameter, type, index),
     };
 }

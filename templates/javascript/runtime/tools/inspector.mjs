@@ -52,12 +52,15 @@ function count(number, word) {
     return `${number} ${word}${number === 1 ? "" : "s"}`;
 }
 
-function otherBytes({ bytes }) {
+function otherBytes({ bytes, why }) {
     const text = Array.from(bytes, (byte) => (byte >= 32 && byte < 127 ? String.fromCharCode(byte) : "·")).join("");
     return element(
         "section",
         { class: "mip-other", "data-kind": "other" },
         element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+        why.map(({ at, error }) =>
+            element("p", { class: "mip-wrong" }, `What begins like a packet at byte ${at + 1} is none: ${error.message}.`),
+        ),
     );
 }
 
@@ -135,7 +138,9 @@ function valueTable(rows) {
     );
 }
 
-function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) {
+const CHOOSE = " Depends on the device; choose one above.";
+
+function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, byDevice }) {
     const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", {}, name)]];
     const shownFlags = flags?.flatMap((flag, i) => [
         i ? ", " : "",
@@ -147,6 +152,11 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) 
         element("td", {}, element("code", {}, spacedHex(bytes))),
         element("td", {}, element("code", {}, path)),
         element("td", {}, value),
-        element("td", {}, shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? "")),
+        element(
+            "td",
+            {},
+            shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? ""),
+            byDevice && CHOOSE,
+        ),
     );
 }

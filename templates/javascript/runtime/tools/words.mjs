@@ -2,6 +2,7 @@
 
 import { readFloat, toHex, writeFloat } from "../mip/bytes.mjs";
 import { bitsOf, enumValue, unitOf } from "../mip/names.mjs";
+import { SHARED_SET } from "../mip/protocol.mjs";
 
 export function hexByte(number) {
     return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
@@ -109,6 +110,25 @@ export function shown(protocol, part, parameter, type, index) {
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
+}
+
+/**
+ * Number -> title of the data sets, or of the fields of the set that a parameter refers to. `values` are those of its
+ * record, `outer` the parameter that holds the record, with the values beside it.
+ */
+export function choicesOf(protocol, parameter, values, outer) {
+    if (parameter.shown === "set") {
+        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
+        return new Map(sets.map((one) => [one.number, one.title]));
+    }
+    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
+    if (parameter.shown !== "field" || !where) return new Map();
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
+    if (set?.kind !== "data") return new Map();
+    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
+    return new Map(fields.map((field) => [field.descriptor, field.title]));
 }
 
 /** "fix_valid", "quality = 3", or "state = ready". */

@@ -923,6 +923,9 @@ const TOKEN = new RegExp(
     "gi",
 );
 
+// Bytes in a list, some of which may have a single digit: printf %x, or 1 in [0x75, 1].
+const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?!\w|\.\d))+/gi;
+
 const ESCAPES = { n: 10, r: 13, t: 9, 0: 0, a: 7, b: 8, f: 12, v: 11, "\\": 92, "'": 39, '"': 34 };
 
 /** The bytes of a text, and the pieces of text between them that are no bytes, such as words. */
@@ -930,7 +933,7 @@ function bytesOfText(text) {
     const parts = [];
     const ignored = [];
     for (const line of text.split(/\r?\n/)) {
-        const bytes = DUMP_LINE.exec(line)?.[1] ?? line;
+        const bytes = DUMP_LINE.exec(line)?.[1] ?? padded(line, parts.length > 0);
         let at = 0;
         for (const match of bytes.matchAll(TOKEN)) {
             ignored.push(bytes.slice(at, match.index));
@@ -943,6 +946,25 @@ function bytesOfText(text) {
         bytes: concatenated(...parts),
         ignored: ignored.map((piece) => piece.replace(/^[\s,;:|{}[\]()<>"'-]+|[\s,;:|{}[\]()<>"'-]+$/g, "")).filter(Boolean),
     };
+}
+
+/**
+ * A line whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is one
+ * of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
+ */
+function padded(line, begun) {
+    return line.replace(LIST, (list, at) => {
+        const whole = list.trim() === line.trim();
+        const [before, behind] = [line.slice(0, at), line.slice(at + list.length)];
+        const items = list.split(/([\s,;]+)/); // with what is between them
+        const single = (item) => /^[0-9a-f]$/i.test(item);
+        const others = items.flatMap((item, i) => (i % 2 || single(item) ? [] : [i]));
+        if (others.length < 2 && !(begun && whole)) return list;
+        const atStart = /[[({"'|]\s*$/.test(before) || (begun && before.trim() === "");
+        const atEnd = /^\s*($|[\])}"'|;/,])/.test(behind);
+        const known = (i) => (i > others[0] || atStart) && (i < others.at(-1) || atEnd);
+        return items.map((item, i) => (single(item) && known(i) ? `0${item}` : item)).join("");
+    });
 }
 
 function bytesOfToken([, double, single, escapes, number, digits]) {
@@ -972,6 +994,7 @@ modules["tools/words"] = (() => {
 
 const { readFloat, toHex, writeFloat } = modules["mip/bytes"];
 const { bitsOf, enumValue, unitOf } = modules["mip/names"];
+const { SHARED_SET } = modules["mip/protocol"];
 
 function hexByte(number) {
     return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
@@ -1081,6 +1104,25 @@ function shown(protocol, part, parameter, type, index) {
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
 }
 
+/**
+ * Number -> title of the data sets, or of the fields of the set that a parameter refers to. `values` are those of its
+ * record, `outer` the parameter that holds the record, with the values beside it.
+ */
+function choicesOf(protocol, parameter, values, outer) {
+    if (parameter.shown === "set") {
+        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
+        return new Map(sets.map((one) => [one.number, one.title]));
+    }
+    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
+    if (parameter.shown !== "field" || !where) return new Map();
+    const set = Object.hasOwn(record, where)
+        ? protocol.sets.get(Number(record[where]))
+        : protocol.model.sets.find((one) => one.name === where);
+    if (set?.kind !== "data") return new Map();
+    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
+    return new Map(fields.map((field) => [field.descriptor, field.title]));
+}
+
 /** "fix_valid", "quality = 3", or "state = ready". */
 function flagText({ bits, value, flag, named, rest }) {
     if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
@@ -1092,7 +1134,7 @@ function conditionText({ parameter, label, command }) {
     return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
 }
 
-return { hexByte, spacedHex, descriptorOf, decimal, decimalLiteral, hexLiteral, pathText, shown, flagText, conditionText };
+return { hexByte, spacedHex, descriptorOf, decimal, decimalLiteral, hexLiteral, pathText, shown, choicesOf, flagText, conditionText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/inspect.mjs
@@ -1100,16 +1142,16 @@ return { hexByte, spacedHex, descriptorOf, decimal, decimalLiteral, hexLiteral, 
 modules["tools/inspect"] = (() => {
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
-const { fromHex, sameBytes } = modules["mip/bytes"];
+const { MipError, fromHex, sameBytes } = modules["mip/bytes"];
 const { namedType, parametersAt, valueAt } = modules["mip/names"];
 const { Packet } = modules["mip/packet"];
 const { segments } = modules["mip/parser"];
 const { bytesOfText } = modules["tools/input"];
-const { pathText, shown } = modules["tools/words"];
+const { choicesOf, pathText, shown } = modules["tools/words"];
 
 /**
  * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
- * the checksum that is right.
+ * the checksum that is right, and other bytes `why`: what keeps those that begin like a packet from being one.
  *
  * @param device the id of a device, whose readings are used where they differ
  */
@@ -1119,13 +1161,25 @@ function inspect(protocol, text, device = undefined) {
 }
 
 function inspectPart(protocol, part, device) {
-    if (part.kind === "other") return part;
+    if (part.kind === "other") return { ...part, why: whyOther(protocol, part.bytes) };
     const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
     const set = protocol.sets.get(part.bytes[2]);
     const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
     const verdict =
         part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
     return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
+}
+
+/** What is wrong with the frames that begin with the sync bytes: [{ at, error }]. */
+function whyOther(protocol, bytes) {
+    const found = [];
+    for (let at = 0; at + 3 < bytes.length; at++) {
+        const frame = new Packet(protocol, bytes.subarray(at, at + bytes[at + 3] + 6));
+        if (!sameBytes(bytes.subarray(at, at + 2), protocol.sync)) continue;
+        if (!bytes[at + 2]) found.push({ at, error: new MipError("set", "descriptor set 0x00, which no packet has") });
+        else if (frame.bytes.length === bytes[at + 3] + 6) found.push({ at, error: frame.decode().at(-1)?.error });
+    }
+    return found.filter(({ error }) => error);
 }
 
 /** The beginning of a packet with zeros in place of what is missing. */
@@ -1148,16 +1202,21 @@ function inspectField(protocol, raw, packet, part, device) {
 function inspectValue(protocol, { field, values, data }, part, device) {
     const parameters = parametersAt(protocol, field, part.path);
     const { parameter } = parameters.at(-1);
-    const names = part.path.length - 1 - [...part.path].reverse().findIndex((step) => typeof step !== "number");
-    const siblings = valueAt(values, part.path.slice(0, names));
+    const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
+    const [siblings, around] = [places.at(-1), places.at(-2)].map((place) => valueAt(values, part.path.slice(0, place)));
     const type = namedType(protocol, parameter, siblings, device);
-    const index = part.path.slice(names + 1).at(-1);
+    const index = part.path.slice(places.at(-1) + 1).at(-1);
+    const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
+    const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
+    const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
         path: pathText(protocol, parameters, part.path),
         bytes: data.subarray(part.offset, part.offset + part.size),
         value: part.value,
         parameter,
         type,
+        meaning,
+        byDevice: byDevice && device === undefined && meaning === undefined,
         ...shown(protocol, part, parameter, type, index),
     };
 }
@@ -1268,7 +1327,8 @@ function indexOf(protocol) {
 
 /**
  * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
- * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, a name of the vendor, or words.
+ * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, of a value too, a name of the vendor, or words.
+ * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field, less than 2 if it begins one.
  */
 function find(index, text, limit = 20) {
     const query = text.trim();
@@ -1353,6 +1413,7 @@ function entryOf(protocol, field, commands) {
     return {
         field,
         squashed: [...new Set(names.map(squash))],
+        constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
         words: {
             [TITLE]: spaced(field.title, name, ...also, ...keywords),
             [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...keywords, ...sections),
@@ -1360,6 +1421,20 @@ function entryOf(protocol, field, commands) {
             [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
         },
     };
+}
+
+/** The symbols of the values and bits of a parameter, in all languages. */
+function constantsOf(protocol, parameter) {
+    const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
+    const inner = types.flatMap((name) => {
+        const type = protocol.types.get(name);
+        if (type?.kind === "struct") return type.parameters.flatMap((one) => constantsOf(protocol, one));
+        if (!type?.symbols || name === protocol.model.function_selector) return [];
+        const owners = Object.values(type.symbols).flatMap((symbol) => [symbol, symbol.split(/\.|::/).at(-1)]);
+        const parts = [...(type.values ?? []), ...(type.bits ?? [])].flatMap((one) => [one.name, one.short ?? one.name]);
+        return owners.flatMap((owner) => parts.map((part) => squash(owner + part)));
+    });
+    return [...inner, ...(parameter.cases ?? []).flatMap((one) => (one.parameter ? constantsOf(protocol, one.parameter) : []))];
 }
 
 /** What has a name inside a parameter: itself, values, bits and members. */
@@ -1376,6 +1451,7 @@ function partsOf(protocol, parameter) {
 
 function rankOfSymbol(entry, query) {
     if (query.length < 2) return Infinity;
+    if (entry.constants.has(query)) return EXACT;
     let rank = Infinity;
     for (const name of entry.squashed) {
         if (name === query) return EXACT;
@@ -1727,9 +1803,9 @@ function cUnion(names, parameter, op, value) {
 function cRecord(names, record, values) {
     const held = record.parameters
         .filter((parameter) => parameter.constant === undefined && Object.hasOwn(values, parameter.name))
-        .map((parameter) => {
-            const op = operationOf(record, parameter.name);
-            const value = values[parameter.name];
+        .map((parameter) => [parameter, operationOf(record, parameter.name), values[parameter.name]])
+        .filter(([, op, value]) => op.kind !== "switch" || alternativeOf(op, value)) // {0} would lack braces inside
+        .map(([parameter, op, value]) => {
             const text = op.kind === "switch" ? cUnion(names, parameter, op, value) : cValue(names, parameter, op, value);
             return `.${names.member(parameter.name)} = ${text}`;
         });
@@ -2235,8 +2311,8 @@ function portsFor(device, baud) {
 }
 
 /**
- * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate, if it is
- * known. Without a device, all.
+ * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, all.
  */
 function streamsOf(protocol, device) {
     const supported = device && new Set(device.supports?.map((support) => support.field));
@@ -2246,7 +2322,7 @@ function streamsOf(protocol, device) {
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
-        .map((set) => ({ set, base: rates.get(set.name) || undefined, own: fieldsOf(set) }))
+        .map((set) => ({ set, base: rates.get(set.name), own: fieldsOf(set) }))
         .filter(({ own }) => own.length)
         .map(({ set, base, own }) => ({ set, base, fields: [...shared, ...own] }));
 }
@@ -2311,12 +2387,15 @@ function count(number, word) {
     return `${number} ${word}${number === 1 ? "" : "s"}`;
 }
 
-function otherBytes({ bytes }) {
+function otherBytes({ bytes, why }) {
     const text = Array.from(bytes, (byte) => (byte >= 32 && byte < 127 ? String.fromCharCode(byte) : "·")).join("");
     return element(
         "section",
         { class: "mip-other", "data-kind": "other" },
         element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+        why.map(({ at, error }) =>
+            element("p", { class: "mip-wrong" }, `What begins like a packet at byte ${at + 1} is none: ${error.message}.`),
+        ),
     );
 }
 
@@ -2394,7 +2473,9 @@ function valueTable(rows) {
     );
 }
 
-function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) {
+const CHOOSE = " Depends on the device; choose one above.";
+
+function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, byDevice }) {
     const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", {}, name)]];
     const shownFlags = flags?.flatMap((flag, i) => [
         i ? ", " : "",
@@ -2406,7 +2487,12 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) 
         element("td", {}, element("code", {}, spacedHex(bytes))),
         element("td", {}, element("code", {}, path)),
         element("td", {}, value),
-        element("td", {}, shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? "")),
+        element(
+            "td",
+            {},
+            shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? ""),
+            byDevice && CHOOSE,
+        ),
     );
 }
 
@@ -2477,7 +2563,7 @@ const { allOperations, answerOf, counted, countOptional, differencesOn, initialV
 const { LANGUAGES, programOf } = modules["tools/code"];
 const { element, links } = modules["tools/dom"];
 const { bytesOfText } = modules["tools/input"];
-const { decimal, descriptorOf, hexByte, hexLiteral, spacedHex } = modules["tools/words"];
+const { choicesOf, decimal, descriptorOf, hexByte, hexLiteral, spacedHex } = modules["tools/words"];
 
 /**
  * Fills an element with the builder. `options` are those of `links`, and `field`, what to begin with: the name of a field,
@@ -2822,7 +2908,8 @@ let lastList = 0; // for ids
 /** A number that people know in hexadecimal, with the sets or fields to choose from, and what it means. */
 function hexInput(context, parameter, value, size, set) {
     const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
-    const choices = choicesOf(context, parameter);
+    const { protocol, values, outer } = context;
+    const choices = choicesOf(protocol, parameter, values, outer);
     const meaning = element("small", { class: "mip-meant" }, choices.get(Number(value)) ?? "");
     control.addEventListener("input", () => {
         const number = numberOfText(control.value, "unsigned");
@@ -2841,22 +2928,6 @@ function hexInput(context, parameter, value, size, set) {
 
 function hexOf(value, size) {
     return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
-}
-
-/** Number -> title of the data sets, or of the fields of the set that a parameter refers to. */
-function choicesOf({ protocol, values, outer }, parameter) {
-    if (parameter.shown === "set") {
-        const sets = protocol.model.sets.filter((one) => one.kind === "data" && one.number !== SHARED_SET);
-        return new Map(sets.map((one) => [one.number, one.title]));
-    }
-    const [where, record] = parameter.fields_of ? [parameter.fields_of, values] : [outer?.parameter.fields_of, outer?.values];
-    if (parameter.shown !== "field" || !where) return new Map();
-    const set = Object.hasOwn(record, where)
-        ? protocol.sets.get(Number(record[where]))
-        : protocol.model.sets.find((one) => one.name === where);
-    if (set?.kind !== "data") return new Map();
-    const fields = [set, protocol.sets.get(SHARED_SET)].flatMap((one) => one?.fields ?? []).map((name) => protocol.field(name));
-    return new Map(fields.map((field) => [field.descriptor, field.title]));
 }
 
 /** The switches of a record that a parameter selects. */
@@ -3148,7 +3219,7 @@ function bandwidth(root, protocol, options = {}) {
 }
 
 function streamTable({ set, base }, rows) {
-    const rate = base ? `base rate ${base} Hz` : "base rate not known";
+    const rate = base ? `base rate ${base} Hz` : base === 0 ? "sent as it arrives" : "base rate not known";
     const heads = ["Field", "Bytes", base ? "Decimation" : "Rate in Hz", "Rate"].map((text) => element("th", { scope: "col" }, text));
     return element(
         "details",

@@ -21,7 +21,8 @@ export function indexOf(protocol) {
 
 /**
  * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
- * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, a name of the vendor, or words.
+ * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, of a value too, a name of the vendor, or words.
+ * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field, less than 2 if it begins one.
  */
 export function find(index, text, limit = 20) {
     const query = text.trim();
@@ -106,6 +107,7 @@ function entryOf(protocol, field, commands) {
     return {
         field,
         squashed: [...new Set(names.map(squash))],
+        constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
         words: {
             [TITLE]: spaced(field.title, name, ...also, ...keywords),
             [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...keywords, ...sections),
@@ -113,6 +115,20 @@ function entryOf(protocol, field, commands) {
             [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
         },
     };
+}
+
+/** The symbols of the values and bits of a parameter, in all languages. */
+function constantsOf(protocol, parameter) {
+    const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
+    const inner = types.flatMap((name) => {
+        const type = protocol.types.get(name);
+        if (type?.kind === "struct") return type.parameters.flatMap((one) => constantsOf(protocol, one));
+        if (!type?.symbols || name === protocol.model.function_selector) return [];
+        const owners = Object.values(type.symbols).flatMap((symbol) => [symbol, symbol.split(/\.|::/).at(-1)]);
+        const parts = [...(type.values ?? []), ...(type.bits ?? [])].flatMap((one) => [one.name, one.short ?? one.name]);
+        return owners.flatMap((owner) => parts.map((part) => squash(owner + part)));
+    });
+    return [...inner, ...(parameter.cases ?? []).flatMap((one) => (one.parameter ? constantsOf(protocol, one.parameter) : []))];
 }
 
 /** What has a name inside a parameter: itself, values, bits and members. */
@@ -129,6 +145,7 @@ function partsOf(protocol, parameter) {
 
 function rankOfSymbol(entry, query) {
     if (query.length < 2) return Infinity;
+    if (entry.constants.has(query)) return EXACT;
     let rank = Infinity;
     for (const name of entry.squashed) {
         if (name === query) return EXACT;

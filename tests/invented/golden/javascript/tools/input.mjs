@@ -19,6 +19,9 @@ const TOKEN = new RegExp(
     "gi",
 );
 
+// Bytes in a list, some of which may have a single digit: printf %x, or 1 in [0x75, 1].
+const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?!\w|\.\d))+/gi;
+
 const ESCAPES = { n: 10, r: 13, t: 9, 0: 0, a: 7, b: 8, f: 12, v: 11, "\\": 92, "'": 39, '"': 34 };
 
 /** The bytes of a text, and the pieces of text between them that are no bytes, such as words. */
@@ -26,7 +29,7 @@ export function bytesOfText(text) {
     const parts = [];
     const ignored = [];
     for (const line of text.split(/\r?\n/)) {
-        const bytes = DUMP_LINE.exec(line)?.[1] ?? line;
+        const bytes = DUMP_LINE.exec(line)?.[1] ?? padded(line, parts.length > 0);
         let at = 0;
         for (const match of bytes.matchAll(TOKEN)) {
             ignored.push(bytes.slice(at, match.index));
@@ -39,6 +42,25 @@ export function bytesOfText(text) {
         bytes: concatenated(...parts),
         ignored: ignored.map((piece) => piece.replace(/^[\s,;:|{}[\]()<>"'-]+|[\s,;:|{}[\]()<>"'-]+$/g, "")).filter(Boolean),
     };
+}
+
+/**
+ * A line whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is one
+ * of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
+ */
+function padded(line, begun) {
+    return line.replace(LIST, (list, at) => {
+        const whole = list.trim() === line.trim();
+        const [before, behind] = [line.slice(0, at), line.slice(at + list.length)];
+        const items = list.split(/([\s,;]+)/); // with what is between them
+        const single = (item) => /^[0-9a-f]$/i.test(item);
+        const others = items.flatMap((item, i) => (i % 2 || single(item) ? [] : [i]));
+        if (others.length < 2 && !(begun && whole)) return list;
+        const atStart = /[[({"'|]\s*$/.test(before) || (begun && before.trim() === "");
+        const atEnd = /^\s*($|[\])}"'|;/,])/.test(behind);
+        const known = (i) => (i > others[0] || atStart) && (i < others.at(-1) || atEnd);
+        return items.map((item, i) => (single(item) && known(i) ? `0${item}` : item)).join("");
+    });
 }
 
 function bytesOfToken([, double, single, escapes, number, digits]) {
