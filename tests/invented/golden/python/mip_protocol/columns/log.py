@@ -110,9 +110,7 @@ class Log:
                 found = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
                 piece.runs = walk.runs(data, found)
-            own = copy(
-                piece
-            )  # other requests look at the same piece, in other threads or meanwhile
+            own = copy(piece)  # other requests may look at the same piece meanwhile
             own.data = data
             yield own
             own.data = NOTHING
