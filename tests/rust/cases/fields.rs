@@ -5,8 +5,8 @@
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
 use mip_protocol::{
     devices, measurements, mip_3d, more, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader, Response,
-    ResponseOf, Role, Text,
+    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader,
+    Response, ResponseOf, Role, Text,
 };
 
 fn bytes<T: Field>(field: &T) -> Vec<u8> {
