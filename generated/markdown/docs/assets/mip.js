@@ -1328,7 +1328,7 @@ function indexOf(protocol) {
 /**
  * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
  * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, of a value too, a name of the vendor, or words.
- * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field, less than 2 if it begins one.
+ * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field.
  */
 function find(index, text, limit = 20) {
     const query = text.trim();

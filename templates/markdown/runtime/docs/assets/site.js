@@ -114,7 +114,7 @@
                 const whole = places.findIndex((place) => place.includes(text.toLowerCase()));
                 const last = COLLECTIONS.includes(url) ? 9 : 0;
                 const rank = ranks.reduce((sum, one) => sum + one, 0) / ranks.length + (whole < 0 ? 0.5 : 0) + last;
-                const listed = heading && (last || url.startsWith("compare/")); // with what is described elsewhere
+                const listed = heading && (last || /^(compare|guides|types)\b/.test(url)); // what these name has pages of its own
                 const share = url.startsWith("fields/") || listed ? 0 : shareOf(heading || title, patterns);
                 const leads = heading && share < 0.5 ? 0 : share;
                 ranked.push({ rank, leads, url, title, anchor, heading, content, patterns });
@@ -201,8 +201,8 @@
             }
             const ranked = mip.find(index, text, 2 * FIELDS);
             const fields = fieldsOf(ranked.map(({ field }) => field)).slice(0, FIELDS);
-            // What has the name that is typed or begun, or is asked for by descriptor, comes before pages.
-            const named = ranked.length > 0 && ranked[0].rank < 2;
+            // What has the name that is typed, or is asked for by descriptor, comes before pages.
+            const named = ranked.length > 0 && ranked[0].rank <= 0;
             const parts = passages(text, new Set(fields.map(shownBy)));
             const leading = named ? [] : parts.filter(({ leads }) => leads);
             const others = parts.filter((one) => !leading.includes(one));
