@@ -50,7 +50,8 @@ PAGES = (
     "fields/base/continuous_built_in_test.html", "fields/filter_data/status.html",
     "fields/gnss_1/satellite_status.html",
     "tools/inspector.html", "tools/builder.html#3dm.event_trigger_config", "tools/bandwidth.html#3dm-cv7-gnss-ins",
-    "tools/finder.html#lever%20arm",
+    "tools/finder.html#lever%20arm", "guides/stream_imu_data.html", "guides/migrate_from_gx5_15_to_cv7.html",
+    "compare/commands.html", "compare/rates.html", "indexes/descriptors.html", "indexes/c.html",
 )  # fmt: skip
 
 
