@@ -154,9 +154,8 @@
     }
 
     function fieldItem(field) {
-        const hex = (number) => `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
-        const descriptor = field.set ? `${hex(field.set)},${hex(field.descriptor)}` : hex(field.descriptor);
-        const link = element("a", { href: addressOf(field).href }, element("strong", {}, field.title), ` (${descriptor})`);
+        const title = element("strong", {}, field.title);
+        const link = element("a", { href: addressOf(field).href }, title, ` ${mip.descriptorOf(field)}`);
         const item = element("li", { "data-field": field.name }, link, ` ${field.role} `, element("code", {}, field.name));
         if (field.description) item.append(element("div", {}, field.description));
         return item;

@@ -10,3 +10,4 @@ export { bytesOfText } from "./input.mjs";
 export { inspect } from "./inspect.mjs";
 export { inspector } from "./inspector.mjs";
 export { needOf, portsFor, streamsOf } from "./stream.mjs";
+export { descriptorOf } from "./words.mjs";

@@ -3316,8 +3316,9 @@ const { bytesOfText } = modules["tools/input"];
 const { inspect } = modules["tools/inspect"];
 const { inspector } = modules["tools/inspector"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
+const { descriptorOf } = modules["tools/words"];
 
-return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf };
+return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
 })();
 
 globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };
