@@ -182,6 +182,34 @@ def test_nothing_panics(spec: str) -> None:
     assert done.returncode != 0 and "a_panic_can_be_reached" in done.stderr
 
 
+INLINED = """
+use std::hint::black_box;
+use mip_protocol::{copy, packets};
+
+fn main() {
+    for packet in packets(black_box(&[])) {
+        for field in packet.fields().flatten() {
+            black_box(field.get::<copy::Accel>());
+        }
+    }
+}
+"""
+
+
+@heavy("nm")
+def test_reading_fields_is_part_of_the_loop() -> None:
+    """Without LTO too: as a call that returns each field in memory, decoding is half as fast."""
+    target = '[[bin]]\nname = "inlined"\npath = "inlined.rs"\ntest = false\n'
+    folder = project("invented", "inlined", target, features="", files={"inlined.rs": INLINED.encode()})
+    default = ("--config", "profile.release.lto=false", "--config", "profile.release.codegen-units=16")
+    passes(folder, "build", "--quiet", "--offline", "--release", *default)
+    program = WORK / "target" / "release" / "inlined"
+    symbols = subprocess.run([need("nm"), "-C", str(program)], capture_output=True, text=True, check=True).stdout
+    assert "inlined::main" in symbols
+    calls = [line for line in symbols.splitlines() if "packet::Fields" in line or "codec::" in line]
+    assert not calls
+
+
 @each
 def test_formatted(spec: str) -> None:
     done = cargo(crate(spec), "fmt", "--check")
