@@ -285,6 +285,17 @@ fn what_is_not_asked_for_stays_in_the_chunk() {
 }
 
 #[test]
+fn each_packet_of_a_chunk_is_given_once() {
+    let mut parser = Parser::new();
+    let stream = [&PING[..], b"no", &PING, &PING[..5]].concat();
+    let mut found = Vec::new();
+    parser.feed(&stream).for_each(|packet| found.push(PacketBuf::from(packet)));
+    parser.feed(&PING[5..]).for_each(|packet| found.push(packet.into()));
+    assert!(found.len() == 3 && found.iter().all(|packet| packet.bytes() == PING));
+    assert_eq!((parser.pending(), parser.skipped()), (0, 2));
+}
+
+#[test]
 fn stopping_anywhere_loses_nothing() {
     let broken = [&[0x75, 0x65, 0x80, 30][..], &PING, &PING, b"ueu"].concat();
     let stream = [b"u", &broken[..], &PING, &broken, NMEA, &PING, b"ue"].concat();
