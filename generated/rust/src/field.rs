@@ -191,7 +191,7 @@ impl RawField<'_> {
             && (T::CONSTANTS.is_empty() || self.has_constants(T::CONSTANTS))
     }
 
-    fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
+    pub(crate) fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
         constants.iter().all(|(offset, bytes)| {
             self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
         })

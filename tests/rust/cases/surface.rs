@@ -7,8 +7,8 @@ use std::hash::{Hash, Hasher};
 use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
-    measurements, tools, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List,
-    Packet, PacketBuilder, RawField, VarText,
+    checksum, measurements, shared, tools, AnyField, Bool, Command, DecodeErrorKind,
+    EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, VarText,
 };
 
 // ------------------------------------------------------------------------------------------ lists
@@ -196,6 +196,47 @@ fn an_absent_field_is_no_broken_one() {
     let broken = packet.find::<measurements::Numbers>().unwrap().unwrap_err();
     assert_eq!(broken.kind, DecodeErrorKind::Truncated);
     assert_eq!(packet.find::<measurements::Accel>(), None);
+}
+
+#[test]
+fn a_field_that_the_packet_cuts_is_no_absent_one() {
+    let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
+    for have in 0..=14 {
+        // It has all values that it needs, and yet not the bytes that its length announces.
+        let bytes = sealed(measurements::SET, &payload[..have + 4]);
+        let packet = Packet::new(&bytes).unwrap();
+        let expected = (measurements::Accel::NAME, DecodeErrorKind::Truncated, 14, have);
+        let Some(found) = packet.find::<measurements::Accel>() else { panic!("{have}: absent") };
+        match found {
+            Ok(_) => assert_eq!(have, 14),
+            Err(e) => assert_eq!((e.field, e.kind, e.need, e.got), expected),
+        }
+        assert_eq!(packet.find::<measurements::Numbers>(), None);
+        let other = sealed(0x81, &payload[..have + 4]);
+        assert_eq!(Packet::new(&other).unwrap().find::<measurements::Accel>(), None);
+    }
+    // Values that are all there do not help: 12 bytes are announced, and 10 follow.
+    let bytes = sealed(0x9F, &[[14, 0xD3].as_slice(), &[0; 10]].concat());
+    let error = Packet::new(&bytes).unwrap().find::<shared::Timestamp>().unwrap().unwrap_err();
+    assert_eq!((error.need, error.got), (12, 10));
+    // Constants and sizes tell layouts apart, as far as the data reach.
+    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x12]);
+    let packet = Packet::new(&bytes).unwrap();
+    assert!(matches!(packet.find::<tools::Status>(), Some(Err(e)) if e.got == 1));
+    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x13]);
+    assert_eq!(Packet::new(&bytes).unwrap().find::<tools::Status>(), None);
+    // Nobody can tell what a field without a descriptor is.
+    for length in 0..2 {
+        let bytes = sealed(measurements::SET, &[length, measurements::Accel::DESCRIPTOR]);
+        assert_eq!(Packet::new(&bytes).unwrap().find::<measurements::Accel>(), None);
+    }
+}
+
+/// A packet of any payload.
+fn sealed(set: u8, payload: &[u8]) -> Vec<u8> {
+    let mut bytes = [&[0x75, 0x65, set, payload.len() as u8], payload].concat();
+    bytes.extend(checksum(&bytes));
+    bytes
 }
 
 // --------------------------------------------------------------------------------------- registry
