@@ -230,7 +230,7 @@ fn flags_are_set_cleared_and_read() {
     assert_eq!(flags.0, 0x8003); // reserved bits stay
     flags.remove(StateFlags::HOT);
     assert_eq!(flags.0, 0x8001);
-    assert_eq!(format!("{:?}", StateFlags(0x8051)), "StateFlags(ready | level=5 | any=1 | 0x8000)");
+    assert_eq!(format!("{:?}", StateFlags(0x8051)), "StateFlags(ready | level=5 | 0x8000)");
 }
 
 #[test]

@@ -109,6 +109,12 @@ fn bitfields_name_their_bits() {
     assert_eq!(flags.into_iter().fold(StateFlags::empty(), |a, b| a | b), flags);
     assert_eq!(format!("{:?}", StateFlags(0x8000)), "StateFlags(0x8000)");
     assert_eq!(format!("{:?}", StateFlags(0)), "StateFlags()");
+    // `any` has the bits of `ready` and `hot`.
+    assert_eq!(format!("{:?}", StateFlags(0x0001)), "StateFlags(ready)");
+    assert_eq!(
+        format!("{:?}", StateFlags(0x8353)),
+        "StateFlags(ready | hot | level=5 | mode=3 | 0x8000)"
+    );
 }
 
 #[test]
@@ -124,6 +130,26 @@ fn bitfields_of_bytes_are_sets_too() {
     (unknown[0], unknown[7]) = (1, 0x0A);
     assert_eq!(format!("{:?}", Health(unknown)), "Health(clock | 0xa00000000000000)");
     assert_eq!(Health(unknown).iter().count(), 2);
+}
+
+#[test]
+fn bitfields_are_written_as_numbers() {
+    let flags = StateFlags(0x8A51);
+    assert_eq!(format!("{flags:x} {flags:X} {flags:#x} {flags:#06X}"), "8a51 8A51 0x8a51 0x8A51");
+    assert_eq!(
+        format!("{:o} {:#b} {:08b}", flags, StateFlags(5), StateFlags(5)),
+        "105121 0b101 00000101"
+    );
+    let mut bytes = [0; 16];
+    (bytes[0], bytes[7]) = (0x1F, 0x0A);
+    let number = u128::from_le_bytes(bytes);
+    let health = Health(bytes);
+    assert_eq!(format!("{health:x} {health:#X}"), format!("{number:x} {number:#X}"));
+    assert_eq!(format!("{health:<20x}|{health:#034x}"), format!("{number:<20x}|{number:#034x}"));
+    assert_eq!(
+        format!("{:x} {:#X}", Health([0xFF; 16]), Health::empty()),
+        format!("{:x} 0x0", u128::MAX)
+    );
 }
 
 // -------------------------------------------------------------------------------- truth, Eq, Hash
