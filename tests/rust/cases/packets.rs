@@ -45,6 +45,9 @@ fn packets_are_kept_and_built_on_without_checking_them_again() {
     assert_eq!(Vec::from(kept.clone()), PING);
     assert_eq!(PacketBuf::try_from(PING.to_vec()), Ok(kept.clone()));
     assert_eq!(PacketBuf::try_from(vec![0x75]), Err(PacketError::Sync));
+    assert_eq!(PacketBuf::try_from(&PING[..]), Ok(kept.clone()));
+    assert_eq!(PacketBuf::try_from(&PING[..7]), Err(PacketError::Length));
+    assert_eq!(PacketBuilder::from(kept.clone()), built);
     assert_eq!(Packet::try_from(&PING[..]), Ok(packet));
     assert_eq!(Packet::try_from(&PING[1..]), Err(PacketError::Sync));
     let mut more = PacketBuilder::from(packet);
