@@ -36,6 +36,18 @@ fn lists_are_collections() {
 }
 
 #[test]
+fn lists_are_made_of_vectors_and_compared_with_them() {
+    let items = vec![1_u16, 2];
+    let command = tools::List::write(&items);
+    assert_eq!(command, tools::List::write(items.clone()));
+    let list = command.items.unwrap();
+    assert!(list == items && items == list && list == [1, 2] && [1, 2] == list);
+    assert!(items[..] == list && items.as_slice() == list && list != vec![1] && vec![1] != list);
+    let (all, first): (List<u8, 4>, List<u8, 4>) = (vec![7; 5].into(), (&vec![7; 4]).into());
+    assert!(all.overflowed() && all != first && all != vec![7; 4] && vec![7; 4] == first);
+}
+
+#[test]
 fn a_list_that_overflowed_is_never_encoded() {
     let four: List<u16, 4> = [1, 2, 3, 4].as_slice().into();
     let mut five: List<u16, 4> = (1..=5).collect();
@@ -47,7 +59,17 @@ fn a_list_that_overflowed_is_never_encoded() {
     let error = List::<u16, 4>::from_slice(&[0; 7]).unwrap_err();
     assert_eq!((error.need, error.got), (7, 4));
     assert_eq!(error.to_string(), "there are 7 items, the list can hold 4");
-    assert_eq!((five.pop(), five.overflowed(), five.len()), (Some(4), false, 3));
+    assert_eq!((five.pop(), five.overflowed(), five.as_slice()), (Some(4), true, &[1, 2, 3][..]));
+    assert_eq!((five.pop(), five.pop(), five.as_mut_slice()), (Some(3), Some(2), &mut [1][..]));
+    assert!(five != [1] && five.push(6).is_err());
+    five.extend([6]);
+    assert_eq!((five.clone().into_iter().count(), five.pop(), five.pop()), (1, Some(1), None));
+    assert!(five.overflowed() && five.is_empty());
+    five.clear();
+    assert!(!five.overflowed() && five.push(7).is_ok() && five == [7]);
+    let mut items = tools::List::write([7; 300].as_slice());
+    items.items.as_mut().unwrap().pop();
+    assert_eq!(items.to_vec().unwrap_err().kind, EncodeErrorKind::Count);
     let most = tools::List::write([0; 0]).items.unwrap().capacity();
     for length in 0..=300 {
         let command = tools::List::write(vec![7; length].as_slice());
