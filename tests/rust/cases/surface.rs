@@ -218,6 +218,19 @@ fn errors_tell_the_field_and_what_it_needs() {
     assert_eq!(error.to_string(), "tools.settings: 0 of 1 required values are present");
     let error = measurements::Numbers::default().encode(&mut [0; 43]).unwrap_err();
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
+    let error = measurements::Accel::default().encode(&mut [0; 3]).unwrap_err();
+    assert_eq!((error.need, error.got), (14, 3));
+    let error = PacketBuilder::with(&shared::Timestamp::default()).unwrap_err();
+    assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Set, 0xFF, 0xFF));
+    let remedy = "shared.timestamp: it belongs in packets of data sets, not in one of set 0xff; \
+                  begin the packet with PacketBuilder::new and push it";
+    assert_eq!(error.to_string(), remedy);
+    let error = PacketBuilder::new(1).push(&shared::Timestamp::default()).unwrap_err();
+    assert_eq!(error.to_string(), remedy.replace("0xff", "0x01"));
+    let error = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    assert_eq!(error.to_string(), "no packet has set 0x00");
+    let error = PacketBuilder::new(0xFF).push_raw(1, &[]).unwrap_err();
+    assert_eq!(error.to_string(), "no packet has set 0xff");
     let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();
     assert_eq!(error.to_string(), "tools.ping: set 0x01 in a packet of set 0x80");
     let error: Box<dyn std::error::Error> = Box::new(error.kind);

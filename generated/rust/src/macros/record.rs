@@ -109,6 +109,9 @@ macro_rules! wire {
             #[inline]
             fn encode_to(&self, writer: &mut $crate::Writer<'_>) -> Result<(), $crate::error::EncodeErrorKind> {
                 let Self { $($member),* } = self;
+                if Self::FIXED {
+                    writer.require(Self::SIZE)?;
+                }
                 $(encode!(writer selected $($step)*);)*
                 Ok(())
             }

@@ -250,7 +250,10 @@ impl PacketBuilder {
         self.seal();
     }
 
-    /// A packet with only this field.
+    /// A packet with only this field, of the set that defines it.
+    ///
+    /// A field of all data sets ([`Field::SET`] is 0xFF) does not say which one is meant: begin its
+    /// packet with [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
     pub fn with<T: Field>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
