@@ -4,11 +4,13 @@ use std::collections::hash_map::DefaultHasher;
 use std::collections::HashSet;
 use std::hash::{Hash, Hasher};
 
+use mip_protocol::device::DeviceError;
 use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
-    checksum, measurements, shared, tools, AnyField, Bool, Command, DecodeErrorKind,
-    EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, VarText,
+    checksum, measurements, shared, tools, Answer, AnyField, Bool, Command, CommandError,
+    DecodeErrorKind, EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, RequestError,
+    Role, VarText,
 };
 
 // ------------------------------------------------------------------------------------------ lists
@@ -200,6 +202,26 @@ fn values_without_floats_are_keys() {
     let commands = [tools::Settings::write(1, Mode::FAST, 9600), tools::Settings::read(1, Mode(9))];
     assert_eq!(commands.into_iter().chain(commands).collect::<HashSet<_>>().len(), 2);
     assert_ne!(hash(&tools::List::write([1])), hash(&tools::List::write([2])));
+}
+
+static COMMANDS: (tools::Ping, tools::Bias) = (tools::Ping::new(), tools::Bias::read());
+
+#[test]
+fn commands_without_arguments_are_constants() {
+    assert_eq!(COMMANDS, (tools::Ping, tools::Bias::read()));
+}
+
+#[test]
+fn answers_and_their_errors_are_keys() {
+    let error = EncodeErrorKind::Count;
+    let full = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    let errors: HashSet<_> = [RequestError::Busy, full.into(), RequestError::Busy].into();
+    assert_eq!((errors.len(), full.kind == error), (2, false));
+    let answers: HashSet<_> = [Answer::Acknowledged(Some(1_u8)), Answer::TimedOut].into();
+    assert!(answers.contains(&Answer::TimedOut) && !answers.contains(&Answer::Silent));
+    let failed: HashSet<_> = [DeviceError::<u8>::Closed, CommandError::TimedOut.into()].into();
+    assert!(failed.contains(&DeviceError::Command(CommandError::TimedOut)));
+    assert_eq!(format!("{:>9}|{}", Role::Command, Role::Data), "  command|data");
 }
 
 // ----------------------------------------------------------------------------------------- errors
