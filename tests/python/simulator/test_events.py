@@ -247,3 +247,9 @@ def test_saved_events_work_after_a_restart(host: Host) -> None:
     host.ok(mip_3dm.DeviceSettings.default())
     sent(host, 0)
     assert sent(host, 0.5) == 0
+
+
+def test_a_square_wave_at_a_pin(host: Host) -> None:
+    setup(host, gpio(1, 1), on_pin(1, 1, HIGH), sending(1, 1, 0, 0xD5), enable(1))
+    host.device.wave(1, 25.0)
+    assert sent(host, 1.0) == 25

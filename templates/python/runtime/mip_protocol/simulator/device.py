@@ -94,6 +94,7 @@ class VirtualDevice:
         self._encoders: dict[tuple[int, int, str], Encoder] = {}
         self._disturbed = DISTURBANCE_TIME
         self.events = Events(self)
+        self._waves: list[Stream] = []
         self._settle()
 
     # ----------------------------------------------------------------------- the host's side
@@ -124,6 +125,15 @@ class VirtualDevice:
         if self.world.level(pin) != before:
             self.events.changed(pin, level)
 
+    def wave(self, pin: int, hertz: float) -> None:
+        """A square wave at a pin, low at first."""
+        change = [(1, pin)]
+        self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
+
+    def _change(self, pins: list[int]) -> None:
+        for pin in pins:
+            self.drive(pin, not self.world.signals.get(pin, False))
+
     def advance(self, seconds: float) -> None:
         """Time passes."""
         self.run_until(self.now + round(seconds * SECOND))
@@ -138,6 +148,9 @@ class VirtualDevice:
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
+            for wave in self._waves:
+                if wave.next <= due:
+                    wave.fire()
             if self._busy_until is not None and self._busy_until <= due:
                 self._go_on()
             for stream in list(self._streams):
@@ -151,7 +164,7 @@ class VirtualDevice:
     @property
     def next(self) -> int | None:
         """When something happens next without the host."""
-        times = [stream.next for stream in self._streams]
+        times = [stream.next for stream in (*self._streams, *self._waves)]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
         times += [t for t in (self._busy_until, self.events.next) if t is not None]

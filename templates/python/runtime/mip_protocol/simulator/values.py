@@ -79,12 +79,7 @@ def _recorded(source: FieldValues) -> bool:
 
 
 def _encoder(
-    kind: type[Field],
-    profile: Device,
-    world: World,
-    set: int,
-    source: FieldValues,
-    channel: str,
+    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues, channel: str
 ) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
     pack = _packer(layout)
