@@ -254,7 +254,7 @@ class _Commands:
 
     def member(self, f: m.Field, node: Node) -> None:
         """A member of a structure, or of any case of a union, must exist."""
-        known, path = f.parameters, []
+        known, path = f.parameters, list[str]()
         for name in node.value.split("."):
             found = [p for p in known if p.name == name]
             if not found:

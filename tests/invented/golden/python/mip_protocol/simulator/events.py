@@ -200,7 +200,7 @@ class Events:
             return False
         if given["low"] is not None:
             low, high = given["low"], given["high"]
-            return low <= value <= high if low <= high else value < high or value > low
+            return bool(low <= value <= high if low <= high else value < high or value > low)
         threshold, interval = given["threshold"], given["interval"]
         if max(threshold, interval) <= 0:
             return False
