@@ -339,10 +339,10 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
 @in_browser
 def test_pages_lead_to_the_tools(page: browser.Page) -> None:
     go(page, "fields/3dm/pps_source_control.html")
-    builder = page.run("document.querySelector('article a[href*=\"tools/builder\"]').href")
+    builder = page.run("document.querySelector('article p > a[href*=\"tools/builder\"]').href")
     assert builder.endswith("/tools/builder.html#3dm.pps_source_control")
     bytes_ = page.run("document.querySelector('.mip-packet-cell code').textContent")
-    inspector = unquote(page.run("document.querySelector('.mip-inspect').href"))
+    inspector = unquote(page.run("document.querySelector('.mip-open a').href"))
     assert inspector.endswith(f"/tools/inspector.html#{bytes_}") and bytes_.startswith("75 65 0C")
     go(page, f"tools/builder.html#{builder.partition('#')[2]}")
     assert page_of("3dm.pps_source_control") in shown(page, ".mip-tool h2 a")
@@ -350,6 +350,36 @@ def test_pages_lead_to_the_tools(page: browser.Page) -> None:
     assert page.run("document.querySelector('.mip-packet').dataset.bytes") == bytes_
     go(page, "tools/finder.html#nack")
     assert shown(page, ".mip-results a")[0] == page_of("protocol.acknowledge")
+
+
+@in_browser
+@pytest.mark.parametrize(
+    ("address", "bytes_"),
+    [
+        ("fields/3dm/message_format.html", "75 65 0C 0B 0B 0F 01 80 02 04 00 0A 05 00 0A AB 00"),
+        ("fields/sensor/scaled_accel.html", ""),
+        ("guides/stream_imu_data.html", "75 65 0C 0E 0E 0F 01 80 03 D5 00 0A 04 00 0A 05 00 0A 91 CE"),
+    ],
+)
+def test_packets_of_pages_open_in_the_builder(page: browser.Page, address: str, bytes_: str) -> None:
+    """With their values, which build the same packet."""
+    go(page, address)
+    links = "[...document.querySelectorAll('.mip-open a[href*=\"tools/builder\"]')]"
+    packets = [unquote(href.partition("#")[2]) for href in page.run(f"{links}.map((link) => link.href)")]
+    assert packets and bytes_ in ["", *packets]
+    assert not [text for text in packets if re.match("75 65 [0-7]. .. .. F1", text)], "answers are not for sending"
+    wanted = bytes_ or packets[0]
+    (href,) = set(page.run(f"{links}.map((link) => link.href).filter((href) => decodeURIComponent(href).endsWith('#{wanted}'))"))
+    go(page, href.removeprefix(f"{built('real').as_uri()}/"))
+    assert page.run("document.querySelector('.mip-packet-bytes').textContent") == wanted
+    assert page.run("document.querySelector('.mip-tool > .mip-wrong').textContent") == ""
+
+
+@in_browser
+def test_the_builder_says_what_it_cannot_open(page: browser.Page) -> None:
+    for text, said in (("75 65 01 02 02 55 34 17", True), ("base.pong", True), ("base.ping", False), ("", False)):
+        go(page, f"tools/builder.html#{text}")
+        assert bool(page.run("document.querySelector('.mip-tool > .mip-wrong').textContent")) == said, text
 
 
 @in_browser
@@ -387,6 +417,31 @@ def test_pages_fit_the_window(page: browser.Page, width: int) -> None:
             assert page.run(WIDE) == [], address
     finally:
         page.size(1400)
+
+
+#: Tables that need more than the window.
+SCROLLING = (
+    "[...document.querySelectorAll('article .md-typeset__scrollwrap')].filter((box) => box.scrollWidth > box.clientWidth)"
+    ".map((box) => box.textContent.trim().slice(0, 60))"
+)
+
+
+@in_browser
+def test_wide_tables_break_names(page: browser.Page) -> None:
+    """Only where they would have to scroll, and between the words of a name."""
+    for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_1/dop.html"):
+        if address.startswith(("tools/", "compare/", "guides/")):
+            continue
+        go(page, address)
+        page.run("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+        page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)))")
+        assert page.run(SCROLLING) == [], address
+    go(page, "fields/base/ping.html")
+    assert page.run("document.querySelectorAll('article table wbr').length") == 0
+    go(page, "fields/3dm/event_trigger_config.html")
+    wait(page, "document.querySelector('article table wbr')")
+    before = page.run("[...new Set([...document.querySelectorAll('wbr')].map((x) => x.previousSibling.data.at(-1)))]")
+    assert set(before) <= set("_.*") | set("abcdefghijklmnopqrstuvwxyz"), before
 
 
 @in_browser
