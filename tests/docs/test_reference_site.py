@@ -369,7 +369,9 @@ def test_packets_of_pages_open_in_the_builder(page: browser.Page, address: str, 
     assert packets and bytes_ in ["", *packets]
     assert not [text for text in packets if re.match("75 65 [0-7]. .. .. F1", text)], "answers are not for sending"
     wanted = bytes_ or packets[0]
-    (href,) = set(page.run(f"{links}.map((link) => link.href).filter((href) => decodeURIComponent(href).endsWith('#{wanted}'))"))
+    (href,) = set(
+        page.run(f"{links}.map((link) => link.href).filter((href) => decodeURIComponent(href).endsWith('#{wanted}'))")
+    )
     go(page, href.removeprefix(f"{built('real').as_uri()}/"))
     assert page.run("document.querySelector('.mip-packet-bytes').textContent") == wanted
     assert page.run("document.querySelector('.mip-tool > .mip-wrong').textContent") == ""
@@ -429,6 +431,7 @@ SCROLLING = (
 @in_browser
 def test_wide_tables_break_names(page: browser.Page) -> None:
     """Only where they would have to scroll, and between the words of a name."""
+    page.size(1400)
     for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_1/dop.html"):
         if address.startswith(("tools/", "compare/", "guides/")):
             continue
@@ -461,6 +464,64 @@ def test_printed_tables_fit_the_paper(page: browser.Page) -> None:
     finally:
         page.call("Emulation.setEmulatedMedia", media="")
         page.size(1400)
+
+
+#: Texts of the page with less contrast to what is behind them than 4.5 to 1, and large or bold ones with less than 3.
+FAINT = """
+(() => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d");
+    const over = (colors) => {
+        canvas.clearRect(0, 0, 1, 1);
+        for (const color of colors) { canvas.fillStyle = color; canvas.fillRect(0, 0, 1, 1); }
+        return [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3);
+    };
+    const light = (rgb) => {
+        const [r, g, b] = rgb.map((x) => (x /= 255) <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const found = new Set();
+    for (const one of document.querySelectorAll("article *, header *, nav *")) {
+        const text = [...one.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+        if (!text || !one.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
+        const behind = [];
+        for (let up = one; up; up = up.parentElement) behind.unshift(getComputedStyle(up).backgroundColor);
+        const style = getComputedStyle(one);
+        const [a, b] = [light(over(behind)), light(over([...behind, style.color]))];
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const size = parseFloat(style.fontSize);
+        const large = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
+        if (ratio < (large ? 3 : 4.5)) found.add(`${ratio.toFixed(2)} ${one.tagName} ${one.className} ${one.textContent.trim().slice(0, 30)}`);
+    }
+    return [...found].slice(0, 8);
+})()
+"""
+
+
+@in_browser
+def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
+    """By its button; the next page has it too, and texts have enough contrast in each."""
+    still = "*, ::before, ::after { transition: none !important }"
+    scheme = "document.body.dataset.mdColorScheme"
+    button = "[...document.querySelectorAll('.md-header [data-md-component=palette] label')].find((one) => !one.hidden)"
+    go(page, "fields/3dm/message_format.html")
+    seen = []
+    try:
+        for _ in range(3):
+            wait(page, button)
+            page.run(f"{button}.click()")
+            chosen = page.run(scheme)
+            seen.append(chosen)
+            for address in ("fields/3dm/message_format.html", "compare/commands.html", "tools/builder.html#base.ping"):
+                go(page, address)
+                assert page.run(scheme) == chosen, address
+                page.run(
+                    f"document.head.append(Object.assign(document.createElement('style'), {{ textContent: {still!r} }}))"
+                )
+                page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
+                assert page.run(FAINT) == [], (address, chosen)
+        assert {"default", "slate"} <= set(seen)
+    finally:
+        page.run("localStorage.clear()")
 
 
 @in_browser
