@@ -196,7 +196,7 @@ fn main() {
 """
 
 
-@heavy("nm")
+@heavy(LONG)
 def test_reading_fields_is_part_of_the_loop() -> None:
     """Without LTO too: as a call that returns each field in memory, decoding is half as fast."""
     target = '[[bin]]\nname = "inlined"\npath = "inlined.rs"\ntest = false\n'

@@ -759,6 +759,7 @@ impl<'c> Request<'c> {
     }
 
     /// Appends a command whose type is known only at run time.
+    #[inline]
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
     }
