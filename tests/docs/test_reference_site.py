@@ -423,8 +423,8 @@ def test_pages_fit_the_window(page: browser.Page, width: int) -> None:
 
 #: Tables that need more than the window.
 SCROLLING = (
-    "[...document.querySelectorAll('article .md-typeset__scrollwrap')].filter((box) => box.scrollWidth > box.clientWidth)"
-    ".map((box) => box.textContent.trim().slice(0, 60))"
+    "[...document.querySelectorAll('article .md-typeset__scrollwrap')]"
+    ".filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.textContent.trim().slice(0, 60))"
 )
 
 
@@ -490,7 +490,8 @@ FAINT = """
         const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
         const size = parseFloat(style.fontSize);
         const large = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
-        if (ratio < (large ? 3 : 4.5)) found.add(`${ratio.toFixed(2)} ${one.tagName} ${one.className} ${one.textContent.trim().slice(0, 30)}`);
+        const words = [ratio.toFixed(2), one.tagName, one.className, one.textContent.trim().slice(0, 30)];
+        if (ratio < (large ? 3 : 4.5)) found.add(words.join(" "));
     }
     return [...found].slice(0, 8);
 })()
@@ -500,7 +501,7 @@ FAINT = """
 @in_browser
 def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
     """By its button; the next page has it too, and texts have enough contrast in each."""
-    still = "*, ::before, ::after { transition: none !important }"
+    still = "{ textContent: '*, ::before, ::after { transition: none !important }' }"
     scheme = "document.body.dataset.mdColorScheme"
     button = "[...document.querySelectorAll('.md-header [data-md-component=palette] label')].find((one) => !one.hidden)"
     go(page, "fields/3dm/message_format.html")
@@ -514,9 +515,7 @@ def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
             for address in ("fields/3dm/message_format.html", "compare/commands.html", "tools/builder.html#base.ping"):
                 go(page, address)
                 assert page.run(scheme) == chosen, address
-                page.run(
-                    f"document.head.append(Object.assign(document.createElement('style'), {{ textContent: {still!r} }}))"
-                )
+                page.run(f"document.head.append(Object.assign(document.createElement('style'), {still}))")
                 page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
                 assert page.run(FAINT) == [], (address, chosen)
         assert {"default", "slate"} <= set(seen)
