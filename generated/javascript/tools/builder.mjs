@@ -40,7 +40,8 @@ export function builder(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
     const choice = element("select", { id: "mip-field" });
-    const problem = element("p", { class: "mip-wrong", role: "status" });
+    const start = startOf(protocol, options.field ?? "");
+    const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
     const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
 
@@ -94,7 +95,7 @@ export function builder(root, protocol, options = {}) {
         show();
     };
     const choose = (name, selector) => {
-        problem.textContent = "";
+        problem.remove();
         begin([entryOf(protocol, protocol.field(name), selector)]);
     };
 
@@ -108,16 +109,14 @@ export function builder(root, protocol, options = {}) {
     root.replaceChildren(
         element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
         element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
-        problem,
         forms,
         output,
     );
-    const start = startOf(protocol, options.field ?? "");
     state.device = start.device;
     deviceChoice.value = start.device?.id ?? "";
     if (start.entries) begin(start.entries, start.set);
     else choose(start.name ?? protocol.model.sets[0].fields[0]);
-    problem.textContent = start.problem ?? "";
+    if (start.problem) forms.before(problem);
     return { choose, state: () => state };
 }
 
