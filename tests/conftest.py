@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from _pytest.nodeid import coerce_node_id
 from support import BUILD
 
 # What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
@@ -27,7 +26,7 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
             yield "test-cross", "other machines"
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all; it takes longest,
     so it begins first. What needs random values of all fields of a specification is where they have been drawn."""
     for item in items:
@@ -39,11 +38,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         elif item.path.name == "test_columns.py":
             item.add_marker(pytest.mark.xdist_group("columns"))
     items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
-    if getattr(config.option, "loadgroup", False):
-        for item in items:
-            mark = item.get_closest_marker("xdist_group")
-            if mark is not None:  # xdist 3.8 writes it where pytest 9.2 no longer reads it
-                item._id = coerce_node_id(f"{item.nodeid}@{mark.args[0]}")  # type: ignore[attr-defined]
 
 
 def pytest_deselected(items: list[pytest.Item]) -> None:
