@@ -28,7 +28,6 @@ EMBEDDED = "thumbv7em-none-eabi"
 PEER, PEER_VERSION = "microstrain-inertial", "0.0.2"
 
 
-
 class Measured(NamedTuple):
     title: str
     ours: str

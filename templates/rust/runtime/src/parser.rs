@@ -154,17 +154,7 @@ impl Parser {
 
     /// Searches for a packet. Returns its size, or 0, and how many bytes of the input are left. It
     /// is in the buffer if `done` is set, else it is the last of the bytes that were searched.
-    pub(crate) fn step(&mut self, input: &[u8]) -> (usize, usize) {
-        // Byte by byte, this is the usual case.
-        if HOST && input.len() < self.missing.into() {
-            self.fill(input);
-            return (0, 0);
-        }
-        self.search(input)
-    }
-
-    /// The same, wherever the input is cut.
-    fn search(&mut self, given: &[u8]) -> (usize, usize) {
+    pub(crate) fn step(&mut self, given: &[u8]) -> (usize, usize) {
         let mut input = given;
         if self.done > 0 {
             self.drop_front(self.done.into());
@@ -271,6 +261,7 @@ impl Parser {
     }
 
     /// Takes the missing bytes, as far as they are there. Returns those behind.
+    #[inline]
     fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
         let count = usize::from(self.missing).min(input.len());
         let (head, tail) = input.split_at(count);
@@ -352,13 +343,17 @@ impl<'i> Feed<'_, 'i> {
                     self.rest = rest;
                     return Some(Packet::trusted(packet));
                 }
-                Candidate::Open(size) if HOST => {
+                Candidate::Open(size) => {
                     self.parser.hold(self.rest, size);
                     self.rest = &[];
                     return None;
                 }
                 _ => {}
             }
+        } else if HOST && self.rest.len() == 1 && self.parser.missing > 1 {
+            // Byte by byte.
+            self.rest = self.parser.fill(self.rest);
+            return None;
         }
         let (size, left) = self.parser.step(self.rest);
         let (searched, rest) = self.rest.split_at(self.rest.len().saturating_sub(left));
