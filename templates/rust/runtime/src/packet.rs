@@ -219,6 +219,8 @@ impl<'a> Fields<'a> {
 impl<'a> Iterator for Fields<'a> {
     type Item = Result<RawField<'a>, FieldLengthError>;
 
+    // Without this, each field costs a call that returns it in memory: half of the speed of decoding.
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if let Some(field) = self.sound() {
             return Some(Ok(field));

@@ -121,6 +121,7 @@ pub trait Visitor {
 
 impl AnyField {
     /// Decodes a field and returns the number of bytes left over; `None` if it is unknown.
+    #[inline]
     #[must_use]
     pub fn decode(field: &RawField<'_>) -> Option<Result<(Self, usize), DecodeError>> {
         visit(field, Decode)

@@ -87,8 +87,11 @@ macro_rules! registry {
             visitor.unknown(field)
         }
 
+        // Inline, so that only a program that uses them compiles them: they contain the codecs of all
+        // fields, and take longer than the rest of the crate.
         impl AnyField {
             /// Encodes the data of the field to the front of the buffer and returns its length.
+            #[inline]
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
                 let mut writer = Writer::of_field(buffer);
                 let done = match self {
@@ -101,6 +104,7 @@ macro_rules! registry {
             }
 
             /// Adds it to a request, if it is a command.
+            #[inline]
             #[allow(unused_variables)] // few sets are without commands
             pub(crate) fn add_to(
                 &self,
@@ -127,6 +131,7 @@ macro_rules! registry {
 
             /// The field as a tree of values.
             #[cfg(feature = "dynamic")]
+            #[inline]
             #[must_use]
             pub fn to_value(&self) -> crate::dynamic::Value {
                 use crate::dynamic::ToValue;
@@ -140,6 +145,7 @@ macro_rules! registry {
 
             /// The field of this name, `set.field`, with the values of a tree.
             #[cfg(feature = "dynamic")]
+            #[inline]
             pub fn from_value(
                 name: &str,
                 value: &crate::dynamic::Value,
