@@ -24,16 +24,24 @@ pub fn parse(data: &[u8]) -> usize {
     })
 }
 
+fn sensor(field: &SensorField) -> bool {
+    !matches!(field, SensorField::Unknown { .. })
+}
+
+fn filter(field: &FilterField) -> bool {
+    !matches!(field, FilterField::Unknown { .. })
+}
+
 pub fn get(data: &[u8]) -> usize {
-    packets(data, |packet| match DataPacket::from_frame(packet.descriptor_set(), packet.payload()) {
-        Ok(DataPacket::SensorPacket(packet)) => packet
-            .fields()
-            .filter(|field| matches!(black_box(field), Ok(known) if !matches!(known, SensorField::Unknown { .. })))
-            .count(),
-        Ok(DataPacket::FilterPacket(packet)) => packet
-            .fields()
-            .filter(|field| matches!(black_box(field), Ok(known) if !matches!(known, FilterField::Unknown { .. })))
-            .count(),
-        _ => 0,
+    packets(data, |packet| {
+        match DataPacket::from_frame(packet.descriptor_set(), packet.payload()) {
+            Ok(DataPacket::SensorPacket(packet)) => {
+                packet.fields().filter(|field| black_box(field).as_ref().is_ok_and(sensor)).count()
+            }
+            Ok(DataPacket::FilterPacket(packet)) => {
+                packet.fields().filter(|field| black_box(field).as_ref().is_ok_and(filter)).count()
+            }
+            _ => 0,
+        }
     })
 }
