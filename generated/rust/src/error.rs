@@ -3,7 +3,6 @@
 use core::fmt;
 
 #[cfg(feature = "core-error")]
-#[allow(clippy::incompatible_msrv)] // the feature requires a newer compiler
 pub(crate) use core::error::Error;
 #[cfg(all(feature = "std", not(feature = "core-error")))]
 pub(crate) use std::error::Error;
