@@ -169,7 +169,7 @@ impl<C> fmt::Debug for Ticket<C> {
 }
 
 /// Why a command could not be added to a request.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RequestError {
@@ -197,10 +197,10 @@ impl fmt::Display for RequestError {
     }
 }
 
-error!(RequestError);
+error!(RequestError: Encode);
 
 /// The result of a command.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Answer<R> {
@@ -246,7 +246,7 @@ impl<R> Answer<R> {
 }
 
 /// Why a command failed, or is not known to have been carried out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CommandError {
@@ -263,7 +263,12 @@ pub enum CommandError {
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Refused(code) => write!(f, "the device refused the command: {code:?}"),
+            Self::Refused(code) => {
+                f.write_str("the device refused the command: ")?;
+                let Some(name) = code.name() else { return write!(f, "code {}", code.0) };
+                name.split('_').try_for_each(|word| write!(f, "{word} "))?;
+                write!(f, "({})", code.0)
+            }
             Self::TimedOut => f.write_str("no answer came in time"),
             Self::MissingResponse => f.write_str("the answer has no response"),
             Self::Undecodable(error) => error.fmt(f),
@@ -271,10 +276,10 @@ impl fmt::Display for CommandError {
     }
 }
 
-error!(CommandError);
+error!(CommandError: Undecodable);
 
 /// The result of a command of any type.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Outcome {

@@ -1,6 +1,7 @@
 //! A device at a port that is played.
 
 use std::collections::VecDeque;
+use std::error::Error as _;
 use std::io::{self, ErrorKind, Read, Write};
 
 use mip_protocol::device::{Device, DeviceError, Port, StdPort};
@@ -149,7 +150,20 @@ fn what_is_not_sent() {
     };
     assert_eq!(error.kind, EncodeErrorKind::Missing);
     assert!(device.port().sent.is_empty());
-    assert!(DeviceError::<io::Error>::from(error_of(error)).to_string().starts_with("not sent: "));
+    let request = error_of(error);
+    let whole = DeviceError::<io::Error>::from(request);
+    assert!(whole.to_string().starts_with("not sent: "));
+    // Each error has the one that caused it.
+    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&request));
+    assert_eq!(request.source().unwrap().downcast_ref(), Some(&error));
+    assert!(RequestError::Busy.source().is_none());
+    let broken = tools::Bias::decode(&[]).unwrap_err();
+    let command = CommandError::Undecodable(broken);
+    assert_eq!(command.source().unwrap().downcast_ref(), Some(&broken));
+    let whole = DeviceError::<io::Error>::from(command);
+    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&command));
+    assert!(CommandError::TimedOut.source().is_none());
+    assert!(DeviceError::<io::Error>::Closed.source().is_none());
 }
 
 fn error_of(error: mip_protocol::EncodeError) -> RequestError {
@@ -365,6 +379,7 @@ fn ports_of_the_standard_library() {
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
+    assert!(error.source().unwrap().is::<io::Error>());
     // A time-out takes the time of the clock.
     let nothing = || Ok(0);
     let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };

@@ -72,7 +72,7 @@ pub trait Port {
 }
 
 /// Why a call failed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DeviceError<E> {
@@ -112,11 +112,17 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
     }
 }
 
-#[cfg(feature = "std")]
-impl<E: fmt::Debug + fmt::Display> std::error::Error for DeviceError<E> {}
-
-#[cfg(all(feature = "core-error", not(feature = "std")))]
-impl<E: fmt::Debug + fmt::Display> core::error::Error for DeviceError<E> {}
+#[cfg(any(feature = "core-error", feature = "std"))]
+impl<E: crate::error::Error + 'static> crate::error::Error for DeviceError<E> {
+    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
+        match self {
+            Self::Request(error) => Some(error),
+            Self::Command(error) => Some(error),
+            Self::Port(error) => Some(error),
+            Self::NoResponse | Self::Closed => None,
+        }
+    }
+}
 
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;

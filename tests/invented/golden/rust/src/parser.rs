@@ -14,10 +14,7 @@ use crate::protocol::SYNC;
 ///
 /// let mut parser = Parser::new();
 /// for chunk in [&b"noise\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6 and more"] {
-///     let mut packets = parser.feed(chunk);
-///     while let Some(packet) = packets.next() {
-///         assert_eq!(packet.set(), 1);
-///     }
+///     parser.feed(chunk).for_each(|packet| assert_eq!(packet.set(), 1));
 /// }
 /// assert_eq!(parser.skipped(), 14);
 /// ```
@@ -104,6 +101,9 @@ impl Parser {
     }
 
     /// Takes a chunk, and returns a [`Feed`] that lends its packets one after another.
+    ///
+    /// Feed each chunk once: `while let Some(packet) = parser.feed(chunk).next()` feeds it again for
+    /// each packet, and never ends. [`Feed::for_each`] cannot be mistaken.
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
         Feed { parser: self, rest: chunk }
     }
@@ -301,6 +301,15 @@ const fn short(count: usize) -> u16 {
 /// # use mip_protocol::Parser;
 /// # let mut parser = Parser::new();
 /// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// parser.feed(chunk).for_each(|packet| println!("{packet:?}"));
+/// ```
+///
+/// A loop, to end it early or with `?`, takes the packets from a variable:
+///
+/// ```
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
 /// let mut packets = parser.feed(chunk);
 /// while let Some(packet) = packets.next() {
 ///     println!("{packet:?}");
@@ -331,7 +340,17 @@ pub struct Feed<'p, 'i> {
 }
 
 impl<'i> Feed<'_, 'i> {
+    /// Calls a function with each packet of the chunk.
+    pub fn for_each(mut self, mut call: impl FnMut(Packet<'_>)) {
+        while let Some(packet) = self.next() {
+            call(packet);
+        }
+    }
+
     /// The next packet, or `None` at the end of the chunk.
+    ///
+    /// Of a feed in a variable: `while let Some(packet) = parser.feed(chunk).next()` never ends,
+    /// because it feeds the chunk again for each packet.
     #[allow(clippy::should_implement_trait)] // an iterator cannot lend
     #[inline]
     pub fn next(&mut self) -> Option<Packet<'_>> {
