@@ -132,7 +132,8 @@ fn what_can_become_of_a_command() {
     let missing = DeviceError::Command(CommandError::MissingResponse);
     assert_eq!(device.request(&tools::Bias::read()), Err(missing));
     assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
-    assert_eq!(device.port().now, 3500); // this one may take 2.5 s
+    // This one may take 2.5 s; before each of both, a late answer was looked for.
+    assert_eq!(device.port().now, 3520);
     assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     assert_eq!(next(&mut device), None);
@@ -406,4 +407,48 @@ fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
     assert_eq!(device.run(&tools::Ping), Ok(()));
     assert_eq!(device.dropped(), 1);
     assert_eq!((next(&mut device), next(&mut device)), (Some(data(1.0)), Some(data(2.0))));
+}
+
+#[test]
+fn a_late_answer_is_not_that_of_the_next_command() {
+    let other = tools::BiasVector { bias: Vector3f { x: 9.0, ..BIAS.bias } };
+    let late = DeviceError::Command(CommandError::TimedOut);
+    let noise = b"ue\x80\xFF".to_vec();
+    let mut device = device([vec![], vec![answered(5, &BIAS)], vec![], vec![]]);
+    assert_eq!(device.request(&tools::Bias::read()), Err(late));
+    device.port_mut().coming.extend([data(1.0), noise, answered(5, &other)]);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    // It is there as data.
+    assert_eq!(next(&mut device), Some(data(1.0)));
+    assert_eq!(next(&mut device), Some(answered(5, &other)));
+    // A ping that nobody has answered, and a device that talks without end.
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(next(&mut device), None);
+    device.port_mut().coming.push_back(ack(1, AckCode::OK));
+    device.port_mut().coming.extend(vec![vec![0]; 1000]);
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(device.port().sent.len(), 4);
+}
+
+#[test]
+fn only_after_a_missing_answer_is_something_read_before_a_command() {
+    let mut device = device([]);
+    let answered = |device: &mut Device<Played>| {
+        device.port_mut().replies = [vec![ack(1, AckCode::OK)]].into();
+        let before = device.port().now;
+        assert_eq!(device.run(&tools::Ping), Ok(()));
+        device.port().now - before
+    };
+    assert_eq!(answered(&mut device), 0);
+    let late = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!((answered(&mut device), answered(&mut device)), (10, 10));
+    // One answer may have been that of the command before; but not after so long.
+    device.port_mut().now += 10_000;
+    assert_eq!((answered(&mut device), answered(&mut device)), (0, 0));
+    // A failed port is such a case, too, also with data in between.
+    device.port_mut().replies = [vec![vec![], ack(1, AckCode::OK)]].into();
+    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
+    assert_eq!(answered(&mut device), 10);
 }

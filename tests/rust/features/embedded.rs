@@ -269,6 +269,38 @@ fn an_answer_that_comes_after_its_future_was_dropped_is_data() {
 }
 
 #[test]
+fn a_late_answer_is_not_that_of_the_next_command() {
+    let answer = |x| {
+        let mut answer = ack(5, AckCode::OK);
+        answer.push(&tools::BiasVector { bias: Vector3f { x, ..BIAS.bias } }).unwrap();
+        answer
+    };
+    let read = tools::Bias::read();
+    let late = DeviceError::Command(CommandError::TimedOut);
+    let [theirs, ours] = [answer(9.0), answer(BIAS.bias.x)];
+    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    assert_eq!(block_on(&uart, device.request(&read)), Err(late));
+    uart.0.borrow_mut().coming.extend(theirs.bytes());
+    assert_eq!(block_on(&uart, device.request(&read)), Ok(BIAS));
+    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
+    // Reading what has arrived ends, even if bytes arrive all the time.
+    uart.0.borrow_mut().flooded = true;
+    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+
+    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
+    let clock = uart.clone();
+    let mut device = Device::new(EmbeddedPort::new(uart.clone(), move || clock.now()));
+    assert_eq!(device.request(&read), Err(late));
+    uart.0.borrow_mut().coming.extend(theirs.bytes());
+    assert_eq!(device.request(&read), Ok(BIAS));
+    let packet = device.next_packet(50).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
+}
+
+#[test]
 fn a_program_that_was_stopped_finds_what_came_in_time() {
     let mut answer = ack(5, AckCode::OK);
     answer.push(&BIAS).unwrap();
@@ -294,9 +326,9 @@ fn time_goes_on_while_noise_comes_without_end() {
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
-    assert_eq!(uart.now(), 1000 + 63); // it could be what came in time
+    assert_eq!(uart.now(), 63 + 1000 + 63); // what came before it, and what could have come in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
-    assert_eq!(uart.now(), 1113 + 63);
+    assert_eq!(uart.now(), 63 + 1113 + 63);
 }
 
 #[test]

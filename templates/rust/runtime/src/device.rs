@@ -29,6 +29,12 @@
 //! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
 //! held back by noise are searched.
 //!
+//! **After a command that was not answered**, its answer may still arrive. For ten seconds, each
+//! command therefore first reads what has already arrived, and keeps it as data: a late answer is
+//! not taken for that of another command of the same type. This takes as long as one read without
+//! data. An answer that arrives after the next command was sent cannot be told from its answer,
+//! unless they are of different types: if a device may be that slow, use a longer time-out.
+//!
 //! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of
 //! the port ([`Device::port_mut`]), and check with a ping that the device answers.
 
@@ -128,6 +134,9 @@ const BACKLOG: u8 = 64;
 /// Reading them takes no longer than this many milliseconds; what takes longer is arriving now.
 const CATCH_UP: u32 = 100;
 
+/// For so many milliseconds after a command that was not answered, a late answer is looked for.
+const LATE: u32 = 10_000;
+
 /// Ends waiting after the deadline: nothing more has arrived, or too much.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
     *backlog = backlog.saturating_sub(late.into());
@@ -203,10 +212,15 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
 
     /// The outcome of a command that is no longer waiting.
     fn result<C: Command, E>(
-        &mut self,
+        &self,
         ticket: &Ticket<C>,
     ) -> Result<Option<C::Response>, DeviceError<E>> {
-        Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
+        Ok(self.answer(ticket).into_result()?)
+    }
+
+    /// The same, as an answer. It is kept, to know whether one is missing.
+    fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
 }
 
@@ -279,6 +293,8 @@ impl<const Q: usize> Queue<Q> {
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
     port: P,
     core: Core<N, Q>,
+    /// Until when late answers may come.
+    late: Option<u32>,
 }
 
 impl<P: Port> Device<P> {
@@ -293,7 +309,7 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
     /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
-        Self { port, core: Core::new(client) }
+        Self { port, core: Core::new(client), late: None }
     }
 
     /// The port.
@@ -350,8 +366,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         &mut self,
         command: &C,
     ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
-        self.core.client.clear();
-        let now_ms = self.port.now_ms();
+        let now_ms = self.begin()?;
         let (ticket, packet) = self.core.client.send(command, now_ms)?;
         self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         self.wait()?;
@@ -367,8 +382,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         set: u8,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
-        self.core.client.clear();
-        let now_ms = self.port.now_ms();
+        let now_ms = self.begin()?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         self.port.write(request.send(now_ms).bytes()).map_err(DeviceError::Port)?;
@@ -378,7 +392,29 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// The answer to one command of [`Device::send_all`]; it is available until the next command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
+        self.core.answer(ticket)
+    }
+
+    /// Forgets the commands before. If one was not answered, what has arrived is read first.
+    fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
+        let now_ms = self.port.now_ms();
+        if self.core.client.is_owed() {
+            self.late = Some(after(now_ms, LATE));
+        }
+        self.core.client.clear();
+        if self.late.map_or(true, |end| has_passed(end, now_ms)) {
+            self.late = None;
+            return Ok(now_ms);
+        }
+        let mut waited = Waited::new();
+        loop {
+            let came = self.read()?;
+            let now = self.port.now_ms();
+            if waited.is_over(now_ms, now, came) {
+                self.core.look_behind();
+                return Ok(now);
+            }
+        }
     }
 
     /// Until no command waits.

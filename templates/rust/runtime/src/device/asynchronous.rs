@@ -20,7 +20,11 @@ use crate::parser::Parser;
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
 /// Dropping a future cancels the command in the client, but not in the device; an answer that
-/// arrives later is treated as data. Whether bytes are lost depends on the port.
+/// arrives before the next command is sent is treated as data. Whether bytes are lost depends on
+/// the port.
+///
+/// Each command first reads what has already arrived, once if that is nothing. The future of a read
+/// that would have to wait is dropped.
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
     port: P,
@@ -106,6 +110,7 @@ where
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
         self.core.client.clear();
+        self.drain().await?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         let packet = request.send(0); // with it, time begins
@@ -129,7 +134,22 @@ where
     /// The answer to one command of [`AsyncDevice::send_all`]; it is available until the next
     /// command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
+        self.core.answer(ticket)
+    }
+
+    /// Reads what has arrived: it answers an earlier command, if any.
+    async fn drain(&mut self) -> Result<(), DeviceError<P::Error>> {
+        // Like reading after a deadline: the future that would wait is not asked.
+        let (mut backlog, mut sleep) = (BACKLOG - 1, pin!((self.sleep)(0)));
+        loop {
+            match read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await {
+                Ok(true) => {}
+                Ok(false) | Err(DeviceError::Closed) => break, // it may still be written to
+                Err(error) => return Err(error),
+            }
+        }
+        self.core.look_behind();
+        Ok(())
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none
