@@ -7,12 +7,12 @@ use mip_protocol::device::{Device, DeviceError, Port, StdPort};
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, Answer, Client, CommandError, EncodeErrorKind, Field, PacketBuilder,
-    RequestError,
+    measurements, tools, Answer, AnyField, Client, CommandError, EncodeErrorKind, Field, Outcome,
+    PacketBuilder, PacketReader, RequestError,
 };
 
 /// A port that answers each packet with chunks, or with an error; in between, time goes on.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Played {
     sent: Vec<Vec<u8>>,
     replies: VecDeque<Vec<Vec<u8>>>,
@@ -451,4 +451,60 @@ fn only_after_a_missing_answer_is_something_read_before_a_command() {
     assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
     assert_eq!(answered(&mut device), 10);
+}
+
+#[test]
+fn without_commands_nothing_is_sent() {
+    let mut device = device([]);
+    for set in [0, tools::SET, 0xFF] {
+        assert_eq!(device.send_all(set, |_| Ok(())), Ok(()));
+    }
+    assert!(device.port().sent.is_empty());
+    assert_eq!(device.port().now, 0);
+}
+
+#[test]
+fn a_command_whose_type_is_known_at_run_time() {
+    let mut device = device([
+        vec![answered(5, &BIAS)],
+        vec![ack(1, AckCode::INVALID_PARAMETER)],
+        vec![],
+        vec![],
+    ]);
+    let mut send = |command: AnyField| {
+        let set = command.info().set;
+        let ticket = device.send_all(set, |request| request.add_any(&command)).unwrap();
+        // It is there until the next command.
+        assert_eq!(device.event(&ticket), device.event(&ticket));
+        (ticket, device.event(&ticket).cloned())
+    };
+    let (first, bias) = send(tools::Bias::read().into());
+    let bias = bias.unwrap();
+    assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
+    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap().0;
+    assert_eq!(response, AnyField::from(BIAS));
+    let refused = send(tools::Ping.into()).1.unwrap();
+    assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));
+    assert_eq!(send(tools::Ping.into()).1.unwrap().outcome, Outcome::TimedOut);
+    let silent = send(tools::Settings::apply(1, Mode::FAST, 1).into());
+    assert!(silent.0.is_silent() && silent.1.is_none());
+    assert_eq!(device.event(&first), None);
+}
+
+#[test]
+fn a_port_can_be_lent() {
+    let mut port = Played { replies: [vec![ack(1, AckCode::OK)]].into(), ..Default::default() };
+    assert_eq!(Device::new(&mut port).run(&tools::Ping), Ok(()));
+    assert_eq!(port.sent, [packet(&tools::Ping)]);
+}
+
+#[test]
+fn what_debugging_shows_is_short() {
+    let device = Device::new(Played::default());
+    let shown = format!("{device:?}");
+    assert!(shown.contains("Parser(0 pending, 0 skipped)"), "{shown}");
+    assert!(shown.contains("0 of 4096 bytes, 0 packets dropped"), "{shown}");
+    assert!(shown.len() < 1000, "{shown}");
+    let reader = format!("{:?}", PacketReader::new(&[1_u8][..]));
+    assert_eq!(reader, "PacketReader([1], Parser(0 pending, 0 skipped), 0 unread)");
 }

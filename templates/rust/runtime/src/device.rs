@@ -41,7 +41,7 @@
 use core::fmt;
 
 use crate::client::{
-    after, has_passed, Answer, Client, CommandError, Request, RequestError, Ticket,
+    after, has_passed, Answer, Client, CommandError, Event, Request, RequestError, Ticket,
 };
 use crate::field::Command;
 use crate::packet::{Packet, MAX_PACKET};
@@ -57,7 +57,7 @@ mod standard;
 #[cfg(feature = "embedded-io-async")]
 pub use asynchronous::AsyncDevice;
 #[cfg(feature = "embedded-io")]
-pub use embedded::EmbeddedPort;
+pub use embedded::{EmbeddedError, EmbeddedPort};
 #[cfg(feature = "std")]
 pub use standard::StdPort;
 
@@ -77,6 +77,22 @@ pub trait Port {
     fn now_ms(&mut self) -> u32;
 }
 
+impl<P: Port + ?Sized> Port for &mut P {
+    type Error = P::Error;
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, P::Error> {
+        (**self).read(buffer)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), P::Error> {
+        (**self).write(bytes)
+    }
+
+    fn now_ms(&mut self) -> u32 {
+        (**self).now_ms()
+    }
+}
+
 /// Why a call failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -90,7 +106,7 @@ pub enum DeviceError<E> {
     Command(CommandError),
     /// The port could not read or write.
     Port(E),
-    /// The port is closed: no more bytes will arrive.
+    /// The port is closed: no more bytes will arrive, or it accepts none.
     Closed,
 }
 
@@ -236,7 +252,7 @@ fn sort<const N: usize, const Q: usize>(
 }
 
 /// Received packets, one after another.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Queue<const Q: usize> {
     bytes: [u8; Q],
     start: usize,
@@ -281,6 +297,12 @@ impl<const Q: usize> Queue<Q> {
 
     const fn len(&self) -> usize {
         self.end.saturating_sub(self.start)
+    }
+}
+
+impl<const Q: usize> fmt::Debug for Queue<Q> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {Q} bytes, {} packets dropped", self.len(), self.dropped)
     }
 }
 
@@ -376,7 +398,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends several commands of one descriptor set in one packet, and waits for all answers.
     ///
     /// The closure adds them, and returns any value, usually their tickets. [`Device::answer`]
-    /// returns the outcome of each.
+    /// returns the outcome of each. If it adds none, nothing is sent.
     pub fn send_all<T>(
         &mut self,
         set: u8,
@@ -385,14 +407,25 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         let now_ms = self.begin()?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
-        self.port.write(request.send(now_ms).bytes()).map_err(DeviceError::Port)?;
+        let packet = request.send(now_ms);
+        if !packet.payload().is_empty() {
+            self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
+        }
         self.wait()?;
         Ok(tickets)
     }
 
     /// The answer to one command of [`Device::send_all`]; it is available until the next command.
-    pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
+    /// The ticket of an earlier one gives [`Answer::TimedOut`].
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.answer(ticket)
+    }
+
+    /// The same with the response not decoded, for tickets of any type, also those of
+    /// [`Request::add_any`]. `None` for that of an earlier command, and if the device does not
+    /// answer the command.
+    pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.core.client.known_event(ticket)
     }
 
     /// Forgets the commands before. If one was not answered, what has arrived is read first.
@@ -442,6 +475,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// The next packet with data or other fields that do not answer a command; `None` if none
     /// arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it reads
     /// what has already arrived.
+    ///
+    /// If the time ends in the middle of a packet, that packet is kept, unless its data already
+    /// contains a whole packet: then it is taken for noise, and the inner one is returned.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(
