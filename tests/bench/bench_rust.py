@@ -1,8 +1,9 @@
-"""Rust: how fast beside a plain safe loop that uses no library, and beside this project's C; how large in firmware.
+"""Rust: how fast beside a plain safe loop that uses no library, this project's C, and another crate; how large in
+firmware.
 
 All are measured in one run, in turns, and the best of many rounds counts. The plain loops are in speed.rs; their
-checksum is the fast one of the crate, so what is left is the price of the crate. `make bench README=1` writes the
-result into the README of the crate.
+checksum is the simplest one that compilers make fast. The other crate, in peer.rs, comes from crates.io, for this
+measurement only. `make bench README=1` writes the result into the README of the crate.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import platform
 import re
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
 import streams
 from bench_c import BUILD, HERE, ROOT, SOURCES, Row, library, measure, run, table, version
@@ -22,18 +24,31 @@ README = ROOT / "templates/rust/bench.md"
 SIZE = 1_000_000
 EMBEDDED = "thumbv7em-none-eabi"
 
-#: What is measured: title, our function, the plain loop, the function of speed.c for C.
-ROWS = (
-    ("parse a slice: `packets`", "slice", "bare", None),
-    ("parse, in chunks of 4 KiB: `Parser::feed`", "parse", "bare", "ours_parse"),
-    ("parse, in chunks of 64 bytes", "small", "bare", None),
-    ("parse, byte by byte", "bytewise", None, "ours_bytewise"),
-    ("parse: `PacketReader`", "reader", "bare", None),
-    ("parse, decode every field: `get`", "get", "bare_get", "ours_direct"),
-    ("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry"),
-    ("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry"),
-)
+#: The other crate.
+PEER, PEER_VERSION = "microstrain-inertial", "0.0.2"
 
+
+class Measured(NamedTuple):
+    title: str
+    ours: str
+    plain: str
+    #: Functions of speed.c and of peer.rs.
+    c: str
+    peer: str
+    #: Whether the plain loop does the like: it has all bytes.
+    like: bool = True
+
+
+ROWS = (
+    Measured("parse a slice: `packets`", "slice", "bare", "ours_whole", "peer"),
+    Measured("parse, in chunks of 4 KiB: `Parser::feed`", "parse", "bare", "ours_parse", "peer"),
+    Measured("parse, in chunks of 64 bytes", "small", "bare", "ours_small", "peer"),
+    Measured("parse, byte by byte", "bytewise", "bare", "ours_bytewise", "peer", like=False),
+    Measured("parse: `PacketReader`", "reader", "bare", "ours_read", "peer"),
+    Measured("parse, decode every field: `get`", "get", "bare_get", "ours_direct", "peer_get"),
+    Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
+    Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
+)
 FIRMWARE = """#![no_std]
 #![no_main]
 use core::panic::PanicInfo;
@@ -67,37 +82,46 @@ FIELDS = "".join(
     f"if let Some(Ok(v)) = field.get::<sensor::{name}>() {{ core::hint::black_box(v); }}"
     for name in ("ScaledAccel", "ScaledGyro", "GpsTimestamp")
 )
-SEND = """if let Ok((ticket, packet)) = client.send(&base::COMMAND::new(), 0) {
-            core::hint::black_box(packet.bytes());
-            let mut packets = parser.feed(port());
-            while let Some(packet) = packets.next() {
-                for event in client.receive(&packet) {
-                    if let Some(Answer::Acknowledged(response)) = event.answer(&ticket) {
-                        core::hint::black_box(response);
-                    }
+CLIENT = """
+        let Ok((ping, packet)) = client.send(&base::Ping::new(), 0) else { continue };
+        core::hint::black_box(packet.bytes());
+        let Ok((info, packet)) = client.send(&base::GetDeviceInfo::new(), 0) else { continue };
+        core::hint::black_box(packet.bytes());
+        let mut packets = parser.feed(port());
+        while let Some(packet) = packets.next() {
+            for event in client.receive(&packet) {
+                if let Some(Answer::Acknowledged(response)) = event.answer(&ping) {
+                    core::hint::black_box(response);
+                }
+                if let Some(Answer::Acknowledged(response)) = event.answer(&info) {
+                    core::hint::black_box(response);
                 }
             }
-            while let Some(packet) = client.poll(&mut parser, 1_000) {
-                core::hint::black_box(client.receive(&packet).count());
-            }
         }
-        """
-CLIENT = SEND.replace("COMMAND", "Ping") + SEND.replace("COMMAND", "GetDeviceInfo")
+        while let Some(packet) = client.poll(parser, 1_000) {
+            core::hint::black_box(client.receive(&packet).count());
+        }
+"""
+
+#: They are static, as in firmware: what starts a program clears the memory.
+PARSER = "static mut PARSER: Parser = Parser::new();"
+PARSER_AND_CLIENT = f"{PARSER}\nstatic mut CLIENT: Client<2> = Client::new();"
+BORROW = "let {} = unsafe {{ &mut *core::ptr::addr_of_mut!({}) }};\n    "
 FIRMWARES = {
     "empty": ("", "", ""),
     "parser": (
-        "use mip_protocol::Parser;",
-        "let mut parser = Parser::new();",
+        f"use mip_protocol::Parser;\n{PARSER}",
+        BORROW.format("parser", "PARSER"),
         PARSE.format(each="core::hint::black_box(packet.set());"),
     ),
     "parser, three fields": (
-        "use mip_protocol::{sensor, Parser};",
-        "let mut parser = Parser::new();",
+        f"use mip_protocol::{{sensor, Parser}};\n{PARSER}",
+        BORROW.format("parser", "PARSER"),
         PARSE.format(each=f"for field in packet.fields().flatten() {{ {FIELDS} }}"),
     ),
     "parser, client, two commands": (
-        "use mip_protocol::{base, Answer, Client, Parser};",
-        "let mut parser = Parser::new();\n    let mut client: Client<2> = Client::new();",
+        f"use mip_protocol::{{base, Answer, Client, Parser}};\n{PARSER_AND_CLIENT}",
+        BORROW.format("parser", "PARSER") + BORROW.format("client", "CLIENT"),
         CLIENT,
     ),
 }  # fmt: skip
@@ -124,43 +148,57 @@ def cargo(folder: Path, *arguments: str) -> None:
 # --------------------------------------------------------------------------- speed
 
 
-def speed() -> list[Row]:
-    log = streams.log(load_model(ROOT / "spec"), SIZE)
-    contents = {"tiled": log, "shuffled": streams.shuffled(log)}
-    for name, content in contents.items():
-        (BUILD / f"{name}.bin").write_bytes(content)
+def programs() -> tuple[Path, Path, str]:
+    """The program in Rust, the one in C, and why the other crate is not in the first one."""
     flags = ["-std=gnu99", "-O2", f"-I{SOURCES}", f"-I{HERE}"]
     run("cc", *flags, HERE / "speed.c", HERE / "plain.c", *library(), "-o", BUILD / "speed")
-    dependency = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
-    cargo(project("speed-rust", dependency, {"main.rs": (HERE / "speed.rs").read_text()}), "build", "--release")
-    program = BUILD / "target/release/speed-rust"
+    ours = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
+    peer = f'{PEER} = {{ version = "={PEER_VERSION}", default-features = false, features = ["std"] }}\n'
+    files = {name: (HERE / name).read_text() for name in ("speed.rs", "peer.rs")}
+    files["main.rs"] = files.pop("speed.rs")
+    folder = project("speed-rust", f"{ours}{peer}\n[features]\ndefault = ['peer']\npeer = []\n", files)
+    missing = subprocess.run(["cargo", "fetch"], cwd=folder, capture_output=True, text=True)
+    if missing.returncode:
+        project("speed-rust", f"{ours}\n[features]\npeer = []\n", files)
+    cargo(folder, "build", "--release")
+    return BUILD / "target/release/speed-rust", BUILD / "speed", missing.stderr if missing.returncode else ""
+
+
+def speed() -> tuple[list[Row], str]:
+    """The rows of the table; why the column of the other crate is empty."""
+    log = streams.log(load_model(ROOT / "spec"), SIZE)
+    contents = {"tiled": log, "shuffled": streams.shuffled(log)}
+    rust, c, missing = programs()
     times: dict[str, dict[str, float]] = {}
-    for name in contents:
+    for name, content in contents.items():
         path = BUILD / f"{name}.bin"
+        path.write_bytes(content)
         times[name] = {}
-        for functions in (
-            ["slice", "parse", "small", "bytewise", "reader", "bare"],
-            ["get", "visitor", "any", "bare_get"],
-        ):
-            times[name] |= measure(program, path, functions)
-        for functions in (["ours_parse", "ours_bytewise"], ["ours_direct", "ours_registry"]):
-            times[name] |= measure(BUILD / "speed", path, functions)
-    rows = []
-    for title, ours, bare, c in ROWS:
+        for plain in ("bare", "bare_get"):
+            rows = [row for row in ROWS if row.plain == plain]  # they all find the same
+            functions = {f: rust for row in rows for f in (row.ours, row.plain)}
+            functions |= {row.c: c for row in rows}
+            functions |= {} if missing else {row.peer: rust for row in rows}
+            times[name] |= measure(path, functions)
+    out = []
+    for row in ROWS:
         ratios, rates = [], []
-        for name in contents:
-            own = times[name][ours]
-            ratios += [f"{times[name][other] / own:.2f}" if other else "" for other in (bare, c)]
-            rates.append(f"{SIZE / own:.2f}")
-        rows.append([title, *ratios, *rates])
-    return rows
+        for name, content in contents.items():
+            own = times[name][row.ours]
+            others = [times[name].get(other) for other in (row.plain, row.c, row.peer)]
+            if not row.like:
+                others[0] = None
+            ratios += [f"{other / own:.{2 if other < 10 * own else 0}f}" if other else "" for other in others]
+            rates.append(f"{len(content) / own:.2f}")
+        out.append([row.title, *ratios, *rates])
+    return out, missing
 
 
 # --------------------------------------------------------------------------- size
 
 
 def sizes() -> list[Row]:
-    """Bytes of code and constants above an empty program."""
+    """Bytes of code and constants above an empty program, and how many of them only copy and clear memory."""
     installed = run("rustup", "target", "list", "--installed")
     if EMBEDDED not in installed.split():
         return []
@@ -171,51 +209,79 @@ def sizes() -> list[Row]:
         source = FIRMWARE.format(uses=uses, start=start, work=work)
         folder = project("firmware", manifest, {"main.rs": source})
         cargo(folder, "rustc", "--release", "--target", EMBEDDED, "--", "-Clink-arg=--gc-sections")
-        found[name] = loaded(BUILD / f"target/{EMBEDDED}/release/firmware")
-    return [[name, f"{size - found['empty']} B"] for name, size in found.items() if name != "empty"]
+        program = Elf((BUILD / f"target/{EMBEDDED}/release/firmware").read_bytes())
+        found[name] = program.loaded(), program.runtime()
+    (empty, _) = found.pop("empty")
+    return [[name, f"{size - empty} B", f"{runtime} B"] for name, (size, runtime) in found.items()]
 
 
-def loaded(program: Path) -> int:
-    """Sizes of .text, .rodata and .data of an ELF file of 32 bits, little-endian."""
-    data = program.read_bytes()
-    offset, size, count, names = (
-        int.from_bytes(data[a:b], "little") for a, b in ((32, 36), (46, 48), (48, 50), (50, 52))
-    )
-    heads = [data[offset + i * size : offset + (i + 1) * size] for i in range(count)]
-    sections = [[int.from_bytes(h[i : i + 4], "little") for i in range(0, 40, 4)] for h in heads]
-    texts = data[sections[names][4] :]
-    total = 0
-    for name, _, _, _, _, bytes_, *_ in sections:
-        title = texts[name : texts.index(b"\0", name)].decode()
-        total += bytes_ if re.match(r"\.(text|rodata|data)\b", title) else 0
-    return total
+class Elf:
+    """An ELF file of 32 bits, little-endian."""
+
+    def __init__(self, data: bytes):
+        self.data = data
+        offset, size, count, names = (self.number(a, b) for a, b in ((32, 36), (46, 48), (48, 50), (50, 52)))
+        heads = [offset + i * size for i in range(count)]
+        self.sections = [[self.number(i, i + 4) for i in range(head, head + 40, 4)] for head in heads]
+        self.names = self.sections[names][4]
+
+    def number(self, start: int, end: int) -> int:
+        return int.from_bytes(self.data[start:end], "little")
+
+    def text(self, start: int) -> str:
+        return self.data[start : self.data.index(b"\0", start)].decode()
+
+    def loaded(self) -> int:
+        """Sizes of .text, .rodata and .data."""
+        named = ((self.text(self.names + section[0]), section[5]) for section in self.sections)
+        return sum(size for name, size in named if re.match(r"\.(text|rodata|data)\b", name))
+
+    def runtime(self) -> int:
+        """Sizes of memcpy and the like, which belong to Rust and are there once in a program."""
+        found = {}
+        (table,) = (section for section in self.sections if section[1] == 2)
+        texts = self.sections[table[6]][4]
+        for at in range(table[4], table[4] + table[5], 16):
+            name, place, size = (self.number(i, i + 4) for i in range(at, at + 12, 4))
+            if re.search("mem(cpy|move|set|clr)", self.text(texts + name)):
+                found[place] = size
+        return sum(found.values())
 
 
 # --------------------------------------------------------------------------- report
 
 
-def report(columns: int = 7) -> str:
+def report(readme: bool = False) -> str:
     """As Markdown. The last two columns depend on the machine: the README goes without them."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    heads = ["Speed", "Plain loop", "C", "Plain loop, shuffled", "C, shuffled", "GB/s", "GB/s, shuffled"]
+    others = ["Plain loop", "C", "Other crate"]
+    heads = ["Speed", *others, *(f"{other}, shuffled" for other in others), "GB/s", "GB/s, shuffled"]
+    columns = 7 if readme else 9
     machine = platform.machine().replace("_", "-")
     compiler = run("rustc", "--version").split()[1]
+    rows, missing = speed()
+    if missing and readme:
+        raise SystemExit(f"bench: the README needs the crate {PEER}: {missing}")
     out = f"Rust {compiler}, default release profile, on {machine}; C by {version('cc')}, `-O2`. The ratios say\n"
     out += "how many times as fast the crate is as a plain safe loop without any library that has all bytes in\n"
-    out += "memory, and as C from the same specification. The log has packets of 44 bytes on average; shuffled,\n"
-    out += "no branch predictor knows what comes.\n\n"
-    out += table(heads[:columns], [row[:columns] for row in speed()])
+    out += "memory, as C from the same specification, and as another crate,\n"
+    out += f"[{PEER}](https://crates.io/crates/{PEER}) {PEER_VERSION}, which takes single bytes. The log has packets\n"
+    out += "of 44 bytes on average; shuffled, no branch predictor knows what comes.\n\n"
+    out += table(heads[:columns], [row[:columns] for row in rows])
+    if missing:
+        out += f"\nThe other crate, {PEER}, cannot be fetched, and its columns are empty: {missing}\n"
     small = sizes()
     if not small:
         return out + f"\nSizes need the target {EMBEDDED}, which is missing (rustup target add {EMBEDDED}).\n"
-    out += f'\nFor {EMBEDDED}, `opt-level = "z"` and `lto = true`; above an empty program:\n\n'
-    return out + table(["Size", "Code and constants"], small)
+    out += f'\nFor {EMBEDDED}, `opt-level = "z"` and `lto = true`; above an empty program. `memcpy` and the\n'
+    out += "like are those of Rust, which most programs have anyway; here they move the texts of an answer.\n\n"
+    return out + table(["Size", "Code and constants", "of it `memcpy` and the like"], small)
 
 
 def write_readme() -> None:
     if EMBEDDED not in run("rustup", "target", "list", "--installed").split():
         raise SystemExit(f"bench: the README needs the target {EMBEDDED} (rustup target add {EMBEDDED})")
-    README.write_text(report(columns=5), "utf-8")
+    README.write_text(report(readme=True), "utf-8")
     print(f"{README.relative_to(ROOT)} is written; now: make generate golden")
 
 
