@@ -524,24 +524,13 @@ impl<const N: usize> Client<N> {
         }
     }
 
-    /// Stops waiting for all commands: they have timed out.
+    /// Stops waiting for all commands; the events that happened are kept.
     pub(crate) fn give_up(&mut self) {
-        for slot in &mut self.table_mut().slots {
+        for slot in &self.table().slots {
             if slot.is(State::Waiting) {
-                slot.event.outcome = Outcome::TimedOut;
-                slot.state.set(State::Done);
+                slot.state.set(State::Free);
             }
         }
-    }
-
-    /// Is there a command that was sent and not answered?
-    pub(crate) fn is_owed(&self) -> bool {
-        let mut slots = self.table().slots.iter();
-        slots.any(|slot| match slot.state.get() {
-            State::Waiting => true,
-            State::Done => slot.event.outcome == Outcome::TimedOut,
-            State::Free | State::Added => false,
-        })
     }
 
     /// Like [`Client::take`], but the result is kept and can be read again.

@@ -228,13 +228,13 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
 
     /// The outcome of a command that is no longer waiting.
     fn result<C: Command, E>(
-        &self,
+        &mut self,
         ticket: &Ticket<C>,
     ) -> Result<Option<C::Response>, DeviceError<E>> {
-        Ok(self.answer(ticket).into_result()?)
+        Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
     }
 
-    /// The same, as an answer. It is kept, to know whether one is missing.
+    /// The same, as an answer that is kept.
     fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
@@ -315,6 +315,8 @@ impl<const Q: usize> fmt::Debug for Queue<Q> {
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
     port: P,
     core: Core<N, Q>,
+    /// Was the last command not answered in time?
+    missed: bool,
     /// Until when late answers may come.
     late: Option<u32>,
 }
@@ -331,7 +333,7 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
     /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
-        Self { port, core: Core::new(client), late: None }
+        Self { port, core: Core::new(client), missed: false, late: None }
     }
 
     /// The port.
@@ -390,6 +392,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
         let now_ms = self.begin()?;
         let (ticket, packet) = self.core.client.send(command, now_ms)?;
+        self.missed = true; // until it is answered
         self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         self.wait()?;
         self.core.result(&ticket)
@@ -409,6 +412,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         let tickets = add(&mut request)?;
         let packet = request.send(now_ms);
         if !packet.payload().is_empty() {
+            self.missed = true;
             self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         }
         self.wait()?;
@@ -431,7 +435,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Forgets the commands before. If one was not answered, what has arrived is read first.
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
         let now_ms = self.port.now_ms();
-        if self.core.client.is_owed() {
+        if core::mem::take(&mut self.missed) {
             self.late = Some(after(now_ms, LATE));
         }
         self.core.client.clear();
@@ -452,14 +456,16 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Until no command waits.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        let mut waited = Waited::new();
+        let (mut waited, mut missed) = (Waited::new(), false);
         while let Some(deadline) = self.core.client.deadline() {
             let came = self.read()?;
             let now_ms = self.port.now_ms();
             if waited.is_over(deadline, now_ms, came) {
                 self.core.tick(now_ms);
+                missed = true;
             }
         }
+        self.missed = missed;
         Ok(())
     }
 
