@@ -496,3 +496,21 @@ fn a_client_may_be_shared_by_a_mutex() {
     shared(&CLIENT);
     assert_eq!(CLIENT.lock().unwrap().pending(), 0);
 }
+
+#[test]
+fn the_event_of_any_ticket() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let any = request.add_any(&AnyField::from(tools::Ping)).unwrap();
+    let bias = request.add(&tools::Bias::read()).unwrap();
+    let _ = request.send(0);
+    assert_eq!(client.take_event(&any), None);
+    let reply = Reply::new().ack(1, AckCode::OK).ack(5, AckCode::INVALID_PARAMETER);
+    let _ = client.receive(&reply.0.packet());
+    let event = client.take_event(&any).cloned().unwrap();
+    assert_eq!((event.id, event.descriptor, event.outcome), (any.id(), 1, Outcome::Acknowledged));
+    assert_eq!(client.take_event(&any), None);
+    let refused = client.take_event(&bias).unwrap();
+    assert_eq!(refused.answer(&bias), Some(Answer::Refused(AckCode::INVALID_PARAMETER)));
+    assert_eq!(client.events().count(), 0);
+}

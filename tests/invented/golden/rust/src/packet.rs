@@ -269,8 +269,9 @@ pub struct PacketBuilder {
 impl PacketBuilder {
     /// A packet of this descriptor set, without fields.
     ///
-    /// No packet has set 0, nor 0xFF, which defines fields of all data sets: a builder with such a
-    /// set accepts no field.
+    /// No device sends or accepts a packet of set 0, which is none for [`Packet::new`] either, nor of
+    /// 0xFF, which defines fields of all data sets: a builder with such a set accepts no field, and
+    /// its packet is not to be sent.
     #[must_use]
     pub const fn new(set: u8) -> Self {
         let [first, second] = SYNC;

@@ -1,5 +1,7 @@
 //! Finds packets in a stream of bytes that arrives piece by piece.
 
+use core::fmt;
+
 use crate::packet::{checksum, Packet, HEADER, HOST, MAX_PACKET, OVERHEAD};
 use crate::protocol::SYNC;
 
@@ -20,7 +22,7 @@ use crate::protocol::SYNC;
 /// ```
 ///
 /// If all bytes are in memory, [`packets`](crate::packets) is simpler.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Parser {
     /// A candidate that the end of a chunk has cut, or the packet that was returned last.
     buffer: [u8; MAX_PACKET],
@@ -72,6 +74,12 @@ pub(crate) fn noise(bytes: &[u8]) -> usize {
 /// What follows the first bytes.
 pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
     bytes.get(count..).unwrap_or_default()
+}
+
+impl fmt::Debug for Parser {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Parser({} pending, {} skipped)", self.pending(), self.skipped())
+    }
 }
 
 impl Default for Parser {
