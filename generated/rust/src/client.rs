@@ -197,7 +197,7 @@ impl fmt::Display for RequestError {
     }
 }
 
-error!(RequestError: Encode);
+error!(RequestError);
 
 /// The result of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -276,7 +276,7 @@ impl fmt::Display for CommandError {
     }
 }
 
-error!(CommandError: Undecodable);
+error!(CommandError);
 
 /// The result of a command of any type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -135,16 +135,7 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
 }
 
 #[cfg(any(feature = "core-error", feature = "std"))]
-impl<E: crate::error::Error + 'static> crate::error::Error for DeviceError<E> {
-    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
-        match self {
-            Self::Request(error) => Some(error),
-            Self::Command(error) => Some(error),
-            Self::Port(error) => Some(error),
-            Self::NoResponse | Self::Closed => None,
-        }
-    }
-}
+impl<E: fmt::Debug + fmt::Display> crate::error::Error for DeviceError<E> {}
 
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;

@@ -154,17 +154,11 @@ fn what_is_not_sent() {
     let request = error_of(error);
     let whole = DeviceError::<io::Error>::from(request);
     assert!(whole.to_string().starts_with("not sent: "));
-    // Each error has the one that caused it.
-    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&request));
-    assert_eq!(request.source().unwrap().downcast_ref(), Some(&error));
-    assert!(RequestError::Busy.source().is_none());
+    // The text tells the cause, so `source` does not: programs that print both would repeat it.
+    assert!(whole.to_string().ends_with(&error.to_string()) && whole.source().is_none());
     let broken = tools::Bias::decode(&[]).unwrap_err();
-    let command = CommandError::Undecodable(broken);
-    assert_eq!(command.source().unwrap().downcast_ref(), Some(&broken));
-    let whole = DeviceError::<io::Error>::from(command);
-    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&command));
-    assert!(CommandError::TimedOut.source().is_none());
-    assert!(DeviceError::<io::Error>::Closed.source().is_none());
+    let whole = DeviceError::<io::Error>::from(CommandError::Undecodable(broken));
+    assert!(whole.to_string().ends_with(&broken.to_string()) && whole.source().is_none());
 }
 
 fn error_of(error: mip_protocol::EncodeError) -> RequestError {
@@ -380,7 +374,6 @@ fn ports_of_the_standard_library() {
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
-    assert!(error.source().unwrap().is::<io::Error>());
     // A time-out takes the time of the clock.
     let nothing = || Ok(0);
     let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };

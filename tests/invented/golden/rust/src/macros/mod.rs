@@ -18,17 +18,6 @@ macro_rules! error {
         #[cfg(any(feature = "core-error", feature = "std"))]
         impl $crate::error::Error for $name {}
     )+};
-    ($name:ident: $($caused:ident)+) => {
-        #[cfg(any(feature = "core-error", feature = "std"))]
-        impl $crate::error::Error for $name {
-            fn source(&self) -> Option<&(dyn $crate::error::Error + 'static)> {
-                match self {
-                    $(Self::$caused(error) => Some(error),)+
-                    _ => None,
-                }
-            }
-        }
-    };
 }
 
 #[macro_use]
