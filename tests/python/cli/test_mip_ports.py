@@ -191,7 +191,10 @@ def test_a_recording(place: str, tmp_path: Path) -> None:
     assert mip("record", place, "-o", out, "--packets", "20", extras=False) == (0, "", "")
     parser = Parser()
     assert len(parser.feed(out.read_bytes())) == 20 and parser.pending == 0
-    assert mip("record", place, "-o", out, "--duration", "0.3")[0] == 0
+    kept = out.read_bytes()
+    error = f"mip record: {out} exists; name another file, or replace it with --force\n"
+    assert mip("record", place, "-o", out, "--duration", "0.3") == (1, "", error) and out.read_bytes() == kept
+    assert mip("record", place, "-o", out, "--duration", "0.3", "--force") == (0, "", "")
     assert 5 < len(Parser().feed(out.read_bytes())) < 60
     assert [p.name for p in tmp_path.iterdir()] == ["log"]
 
@@ -203,6 +206,31 @@ def test_a_recording_ends_by_a_signal(number: int, place: str, tmp_path: Path) -
         process.send_signal(number)
         assert process.communicate(timeout=PATIENCE) == (b"", b"") and process.returncode == 0
     assert [p.name for p in tmp_path.iterdir()] == ["log"] and Parser().feed((tmp_path / "log").read_bytes())
+
+
+def test_a_recording_of_nothing(tmp_path: Path) -> None:
+    """Nothing is written, and an older recording is kept."""
+    out = tmp_path / "log"
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        words = ("record", where, "-o", out, "--duration", "0.2", "--force")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing\n")
+        assert list(tmp_path.iterdir()) == []
+        out.write_bytes(b"older")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing; {out} is as it was\n")
+    assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("log", b"older")]
+
+
+def test_a_recording_that_cannot_get_its_name(place: str, tmp_path: Path) -> None:
+    out = tmp_path / "log"
+    with running("record", place, "-o", out) as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("log.*.part")), process)
+        out.mkdir()
+        process.send_signal(signal.SIGINT)
+        error = process.communicate(timeout=PATIENCE)[1].decode()
+    (part,) = tmp_path.glob("log.*.part")
+    assert process.returncode == 1 and Parser().feed(part.read_bytes())
+    assert error == f"mip record: {out} cannot be written: Is a directory; the bytes are in {part}\n"
 
 
 def wait_for(condition: object, process: subprocess.Popen[bytes]) -> None:

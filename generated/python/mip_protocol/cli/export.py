@@ -91,7 +91,10 @@ def run(options: argparse.Namespace) -> int:
             raise Failure(f"{options.file} has none of these fields; `mip info` lists those it has")
         if aligned is not None and aligned not in job.types:
             raise Failure(f"{options.file} has no {aligned.NAME} to align with")
-        for path, types in _files(options, job.types):
+        files = _files(options, job.types)
+        for path, _ in files:
+            outputs.refuse_input(path, options.file)
+        for path, types in files:
             job.write(path, types)
             outputs.note(f"{path}: {', '.join(t.NAME for t in types)}")
     return 0

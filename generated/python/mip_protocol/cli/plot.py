@@ -78,6 +78,8 @@ class Curve(NamedTuple):
 def run(options: argparse.Namespace) -> int:
     pyplot = _matplotlib(window=options.output is None)
     form = _format(options.output)
+    if options.output is not None:
+        outputs.refuse_input(options.output, options.file)
     curves = [curve for name in options.names for curve in _curves(name)]
     from .. import read_log
 

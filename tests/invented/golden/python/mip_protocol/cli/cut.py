@@ -101,6 +101,7 @@ def _when(text: str) -> When:
 
 def run(options: argparse.Namespace) -> int:
     selection = Selection(options.only, options.without)
+    outputs.refuse_input(options.output, options.file)
     packets = size = 0
     with ExitStack() as stack:
         name = options.file

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import signal
 import sys
 from contextlib import ExitStack
@@ -11,6 +12,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+from ..cli.outputs import refuse_input
 from ..devices import DEVICES, Device
 from ..errors import Failure
 from . import earth
@@ -164,6 +166,9 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     plans = parse_faults(",".join(options.fault))
     log = None
     if options.fault_log is not None:
+        replayed = re.search(r"[:,]file=([^,]+)", options.motion)
+        if replayed is not None:
+            refuse_input(str(options.fault_log), replayed[1])
         try:
             file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
         except OSError as error:
