@@ -171,6 +171,38 @@ def test_by_time(path: Path, tmp_path: Path) -> None:
     assert seconds(utc)[0] == pytest.approx(1.0) and seconds(utc)[-1] == pytest.approx(1.99)
 
 
+@pytest.mark.parametrize(
+    ("words", "code", "error"),
+    [
+        ("--begin 3 --end 1", 2, "--begin is after --end\n"),
+        ("--begin 2024-01-06T23:59:44 --end 2024-01-06T23:59:43", 2, "--begin is after --end\n"),
+        ("--packets 5:2", 2, "error: argument --packets: '5:2' begins after its end\n"),
+        ("--bytes 5:2", 2, "error: argument --bytes: '5:2' begins after its end\n"),
+        ("--begin 100", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--begin 1 --end 1", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--end 2000-01-01", 1, "log.bin begins at 2024-01-06T23:59:42.41Z and lasts 3.99 s\n"),
+        ("--packets 9999:", 1, "the part has no packets; log.bin has COUNT packets\n"),
+        ("--packets 0:1 --begin 2", 1, "the part has no packets; log.bin has 1 packet up to there\n"),
+        ("--only gnss_2", 1, "the part has no packets; log.bin has other fields there; `mip info` lists them\n"),
+    ],
+)
+def test_a_part_is_not_empty(
+    words: str,
+    code: int,
+    error: str,
+    path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """An older file of this name is kept."""
+    monkeypatch.chdir(path.parent)
+    Path("part").write_bytes(b"older")
+    found = run(capsys, "cut", "log.bin", "-o", "part", *words.split())
+    wanted = error.replace("COUNT", str(len(packets(path.read_bytes()))))
+    assert found[:2] == (code, "") and found[2].endswith(wanted) and "mip cut: " in found[2]
+    assert Path("part").read_bytes() == b"older"
+
+
 def test_fields_are_taken_out(path: Path) -> None:
     code, _, _ = mip("cut", path, "-o", path.with_name("part"), "--only", "sensor", "--without", "shared,scaled_mag")
     found = packets(path.with_name("part").read_bytes())
@@ -273,6 +305,31 @@ def test_align(path: Path) -> None:
     assert all(r["sensor.scaled_accel.x [g]"] for r in rows)
 
 
+def test_align_json_lines(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same rows and values as in CSV."""
+    names = ("sensor.scaled_accel", "filter_data.llh_position", "gnss_1.llh_position")
+    for more in ([], ["--invalid", "mask"], ["--invalid", "drop"]):
+        words = ("export", path, *names, "--align", names[1], *more, "-o", "-")
+        rows = table(run(capsys, *words)[1])
+        lines = [json.loads(line) for line in run(capsys, *words, "--format", "jsonl")[1].splitlines()]
+        assert len(rows) == len(lines) > 50
+        for row, line in zip(rows, lines, strict=True):
+            assert list(line) == ["time", "time_own", "packet", "offset", "fields"] and line["time"] == row["time"]
+            assert sorted(line["fields"]) == sorted(names) and line["fields"][names[1]]
+            for name, label in ((names[0], "scaled_accel.x [g]"), (names[1], "llh_position.longitude [deg]")):
+                held = line["fields"][name]
+                value = held and (held["scaled_accel"][0] if name == names[0] else held["longitude"])
+                assert ("" if value is None else repr(value)) == row[f"{name.partition('.')[0]}.{label}"]
+        assert any(line["fields"][names[2]] for line in lines) or more
+
+
+def test_align_with_a_field_that_is_not_exported(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("export", path, "sensor.scaled_accel", "--align", "sensor.scaled_gyro", "-o", "-")
+    error = "mip export: sensor.scaled_gyro is not exported; name it, too, to align with it\n"
+    assert run(capsys, *words) == (2, "", error)
+    assert run(capsys, *words, "--only", "sensor.scaled_gyro")[0] == 0
+
+
 def test_json_lines(path: Path) -> None:
     out = mip("export", path, "-o", "-", "--format", "jsonl", "--names", extras=False)[1].splitlines()
     expected = [(p, f) for p in packets(log()) for f in registry.decode_packet(p)]
@@ -368,7 +425,7 @@ def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.Ca
     code, _, error = run(capsys, *words)
     assert code == 2 and "is the log itself" in error
     assert split.read_bytes() == before
-    assert run(capsys, "cut", "/dev/null", "-o", "/dev/null")[0] == 0
+    assert run(capsys, "export", split, "-o", "/dev/null", "--format", "csv")[0] == 0
 
 
 def test_a_full_disk(path: Path, tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ class Job:
             raise Failure("the log has no dates; use --time clock, --time start or --time none")
         self._first: int | None = None
         if form == "npz" and aligned is not None:
-            raise Failure("--align is for csv, parquet and arrow")
+            raise Failure("--align is for csv, jsonl, parquet and arrow")
 
     def write(self, path: str, types: Sequence[type[Field]]) -> None:
         """Writes fields of these types into a file."""

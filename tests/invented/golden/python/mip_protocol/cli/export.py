@@ -33,8 +33,9 @@ examples:
   mip export log.bin sensor filter_data -o log.parquet --align sensor.scaled_accel
   mip export log.bin --format jsonl -o - | jq .
 
-csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field. npz needs
-NumPy, parquet and arrow (the file format of Feather) need pyarrow.
+csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field; with
+--align, a line has all fields. npz needs NumPy, parquet and arrow (the file format of Feather) need
+pyarrow.
 
 time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start` in seconds since
 the first packet, `clock` in seconds of the first clock that the log has: gps, external, reference.
@@ -90,6 +91,8 @@ def run(options: argparse.Namespace) -> int:
         if not job.types:
             raise Failure(f"{options.file} has none of these fields; `mip info` lists those it has")
         if aligned is not None and aligned not in job.types:
+            if not selection.has(aligned.SET, aligned.DESCRIPTOR):
+                raise Failure(f"{aligned.NAME} is not exported; name it, too, to align with it", 2)
             raise Failure(f"{options.file} has no {aligned.NAME} to align with")
         files = _files(options, job.types)
         for path, _ in files:
