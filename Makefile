@@ -89,8 +89,8 @@ quick: $(VENV)/development.stamp ## run the tests of the generator alone, in les
 	@$(PYTEST) -m "not heavy" tests/generator
 
 .PHONY: semver
-semver: tools-semver $(VENV)/development.stamp ## compare the Rust crate with the last release by cargo-semver-checks, and test what it calls minor
-	@$(PYTEST) tests/rust/semver.py
+semver: tools-semver $(VENV)/development.stamp ## of test-all: compare the Rust crate with the last release, and with itself and an addition
+	@$(PYTEST) tests/rust/test_rust_semver.py
 
 .PHONY: mutate
 mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2

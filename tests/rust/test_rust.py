@@ -139,12 +139,28 @@ def test_serde_defmt_and_embedded_io() -> None:
 
 
 @heavy(LONG)
-@pytest.mark.parametrize(
-    "features", ["--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"]
-)
-def test_lints_of_dependencies(features: str) -> None:
+def test_lints_of_dependencies() -> None:
+    """Each feature that brings a dependency alone and with a set, and all together."""
+    manifest = rendered("awkward")["Cargo.toml"].decode("utf-8")
+    alone = re.findall(r'^([\w-]+) = \["dep:', manifest, re.MULTILINE)
+    assert len(alone) == manifest.count("optional = true")
+    few = [["--no-default-features", f"--features={name}{sets}"] for name in alone for sets in ("", ",tools")]
     with with_dependencies() as folder:
-        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
+        for features in (*few, ["--all-features"], ["--features=embedded-io-async,core-error"]):
+            passes(folder, "clippy", "--quiet", "-p", "mip-protocol", *features, "--", "-D", "warnings")
+
+
+@heavy(LONG)
+def test_documentation_of_all_features() -> None:
+    """As docs.rs builds it: every link leads somewhere, and what a dependency brings says so."""
+    environment = {"RUSTC_BOOTSTRAP": "1", "RUSTDOCFLAGS": "--cfg docsrs -D warnings"}
+    target = WORK / "target-docs"
+    with with_dependencies() as folder:
+        doc = ("doc", "--quiet", "--no-deps", "-p", "mip-protocol", "--all-features")
+        passes(folder, *doc, CARGO_TARGET_DIR=str(target), **environment)
+    for item, feature in (("EmbeddedPort", "embedded-io"), ("AsyncDevice", "embedded-io-async")):
+        text = (target / f"doc/mip_protocol/device/struct.{item}.html").read_text("utf-8")
+        assert f"Available on crate feature {feature} only" in re.sub(r"<[^>]+>", "", text), item
 
 
 @heavy(EMBEDDED)

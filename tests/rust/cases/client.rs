@@ -128,6 +128,24 @@ fn several_commands_in_one_packet() {
 }
 
 #[test]
+fn events_come_in_the_order_of_the_answers_and_without_their_fields() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let ping = request.add(&tools::Ping).unwrap();
+    let bias = request.add(&tools::Bias::read()).unwrap();
+    let _ = request.send(0);
+    let reply = Reply::new()
+        .ack(5, AckCode::OK)
+        .field(&tools::BiasVector::default())
+        .field(&tools::BiasVector::default())
+        .ack(1, AckCode::OK);
+    let events = client.receive(&reply.0.packet());
+    let others: Vec<_> = events.others().map(|field| field.unwrap().descriptor).collect();
+    assert_eq!(others, [tools::BiasVector::DESCRIPTOR]);
+    assert_eq!(events.map(|event| event.id).collect::<Vec<_>>(), [bias.id(), ping.id()]);
+}
+
+#[test]
 fn replies_may_come_in_several_packets_with_data_between() {
     let mut client: Client = Client::new();
     let mut request = client.request(tools::SET);

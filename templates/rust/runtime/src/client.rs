@@ -468,7 +468,6 @@ impl<const N: usize> Client<N> {
         now_ms: u32,
     ) -> Result<(Ticket<C>, Packet<'_>), RequestError> {
         let table = self.table_mut();
-        table.packet.start(C::SET);
         let ticket = table.add(command, Some(now_ms))?;
         Ok((ticket, table.packet.packet()))
     }
@@ -586,6 +585,9 @@ impl Slots {
         if free.is_none() && !silent {
             return Err(RequestError::Busy);
         }
+        if sent_ms.is_some() {
+            self.packet.start(kind.set);
+        }
         self.packet.push_by(kind.name, kind.set, kind.descriptor, encode)?;
         let id = self.next;
         self.next = id.wrapping_add(1);
@@ -607,16 +609,12 @@ impl Slots {
     /// Looks for answers, and keeps which fields are part of one.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
-        let mut at = 0;
+        let (mut at, mut is_response) = (0, false);
         while let Some(field) = fields.sound() {
-            let mut rest = fields.clone();
-            if let Some(whole) = self.answers(&field, rest.sound().as_ref()) {
+            let found = if is_response { Some(false) } else { self.answers(&field, &fields) };
+            if let Some(whole) = found {
                 self.take_field(at);
-                if whole {
-                    at = at.wrapping_add(1);
-                    self.take_field(at);
-                    fields = rest;
-                }
+                is_response = whole;
             }
             at = at.wrapping_add(1);
         }
@@ -633,53 +631,34 @@ impl Slots {
     ///
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
-    fn answers(&mut self, field: &RawField<'_>, behind: Option<&RawField<'_>>) -> Option<bool> {
-        const FITS: u32 = 1 << 31;
+    fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> Option<bool> {
         // Not decoded as a whole, which is 100 bytes of code.
         let (command, code) = match *field.data {
             [command, code, ..] if field.is::<Acknowledge>() => (command, AckCode(code)),
             _ => return None,
         };
-        let (mut best, mut found) = (0, None);
+        let behind = rest.clone().sound();
+        let (mut best, mut found) = ((false, 0), None);
         for slot in &mut self.slots {
-            let Some(kind) = slot.kind.filter(|_| slot.state.get() == State::Waiting) else {
+            let Some(outcome) = slot.outcome(field.set, command, code, behind.as_ref()) else {
                 continue;
-            };
-            if (kind.set, kind.descriptor) != (field.set, command) {
-                continue;
-            }
-            // Not `contains`, which is 180 bytes of code on a microcontroller.
-            let is_response = |field: &&RawField<'_>| {
-                kind.responses.iter().fold(false, |is, known| is | (*known == field.descriptor))
-            };
-            let outcome = match (slot.wanted, behind.filter(is_response)) {
-                _ if code.0 != 0 => Outcome::Refused(code),
-                (None, None) => Outcome::Acknowledged,
-                (None, Some(_)) => continue,
-                (Some(_), None) => Outcome::MissingResponse,
-                (Some(check), Some(field)) => match check(field) {
-                    Some(true) => Outcome::Acknowledged,
-                    Some(false) => Outcome::Undecodable,
-                    None => continue,
-                },
             };
             slot.event.outcome = outcome; // in case that it is this one
-            let fits = if outcome == Outcome::MissingResponse { 0 } else { FITS };
-            let rank = fits | self.next.wrapping_sub(slot.event.id) & !FITS;
+            let rank = (outcome != Outcome::MissingResponse, self.next.wrapping_sub(slot.event.id));
             if rank > best {
                 (best, found) = (rank, Some(slot));
             }
         }
         let slot = found?;
-        let has_response =
-            matches!(slot.event.outcome, Outcome::Acknowledged | Outcome::Undecodable)
-                && slot.wanted.is_some();
-        if let (true, Some(field)) = (has_response, behind) {
-            slot.event.keep(field);
+        let whole = matches!(slot.event.outcome, Outcome::Acknowledged | Outcome::Undecodable);
+        let response = behind.filter(|_| whole && slot.wanted.is_some());
+        if let Some(field) = response {
+            slot.event.keep(&field);
         }
-        slot.happens(self.happened);
-        self.happened = self.happened.wrapping_add(1);
-        Some(has_response)
+        let order = self.happened;
+        self.happened = order.wrapping_add(1);
+        slot.happens(order);
+        Some(response.is_some())
     }
 
     /// The event of this command, if it has happened; it is taken.
@@ -693,23 +672,24 @@ impl Slots {
         let late = self.waiting().any(|slot| has_passed(slot.deadline, now_ms));
         let found = parser.held_back(late);
         if late && found.is_none() {
+            let order = self.happened; // all at once: in the order of the commands
+            self.happened = order.wrapping_add(1);
             for slot in &mut self.slots {
                 if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
                     slot.event.outcome = Outcome::TimedOut;
-                    slot.happens(self.happened); // all at once: in the order of the commands
+                    slot.happens(order);
                 }
             }
-            self.happened = self.happened.wrapping_add(1);
         }
         found
     }
 
     /// The event that happened first, of those that have not been taken; it is taken.
     fn first(&self) -> Option<&Event> {
-        let (mut oldest, mut found) = (0, None);
+        let (mut oldest, mut found) = ((0, 0), None);
         for slot in &self.slots {
             let since = self.happened.wrapping_sub(slot.order);
-            let age = u64::from(since) << 32 | u64::from(self.next.wrapping_sub(slot.event.id));
+            let age = (since, self.next.wrapping_sub(slot.event.id));
             if slot.is(State::Done) && age > oldest {
                 (oldest, found) = (age, Some(slot));
             }
@@ -721,6 +701,34 @@ impl Slots {
 }
 
 impl Slot {
+    /// The result of the command if this acknowledge and the field behind it answer it.
+    fn outcome(
+        &self,
+        set: u8,
+        command: u8,
+        code: AckCode,
+        behind: Option<&RawField<'_>>,
+    ) -> Option<Outcome> {
+        let kind = self.kind.filter(|kind| (kind.set, kind.descriptor) == (set, command))?;
+        if !self.is(State::Waiting) {
+            return None;
+        }
+        if code.0 != 0 {
+            return Some(Outcome::Refused(code));
+        }
+        // Not `contains`, which is 180 bytes of code on a microcontroller.
+        let response =
+            behind.filter(|field| kind.responses.iter().any(|known| *known == field.descriptor));
+        match (self.wanted, response) {
+            (None, None) => Some(Outcome::Acknowledged),
+            (None, Some(_)) => None,
+            (Some(_), None) => Some(Outcome::MissingResponse),
+            (Some(check), Some(field)) => {
+                check(field).map(|ok| if ok { Outcome::Acknowledged } else { Outcome::Undecodable })
+            }
+        }
+    }
+
     /// The command waits for its answer from now on.
     fn sent(&mut self, now_ms: u32) {
         self.state.set(State::Waiting);

@@ -1,13 +1,13 @@
-"""`make semver`: what cargo-semver-checks says about the crate. The tool takes minutes to compile, so neither
-`make test` nor `make test-all` demands it.
+"""What cargo-semver-checks says about the crate.
 
-Each test makes two crates from the invented specification, with one change between them. To add something must be a
-minor version, to remove it a major one: docs/versions.md promises it. If there is a release, the crate as it is now is
-compared with that, and the version must have been raised far enough.
+Each test makes two crates from the invented specification. To add something must be a minor version, to remove it a
+major one: docs/versions.md promises it. If there is a release, the crate as it is now is compared with that, and the
+version must have been raised far enough.
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -18,7 +18,10 @@ import pytest
 from crates import WORK, without_dependencies
 from mipgen import render, revisions
 from mipgen.resolve import load_model
-from support import ROOT, SPECS, locked, need
+from support import BUILD, ROOT, SPECS, heavy, locked, need
+
+pytestmark = heavy("cargo-semver-checks")
+TOOLS = BUILD / "tools/bin"
 
 SET = """# yaml-language-server: $schema=../../../../spec/schema/set.schema.json
 set: 0x84
@@ -48,8 +51,10 @@ incomplete: [Its acknowledge codes are not known.]
 OWN = "parameters: [{name: mode, type: mode, description: Of the second sensor.}]\n"
 FIELD = (SET.partition("fields:\n")[2]).replace("0x01", "0x08").replace("name: one", "name: another")
 
-#: What is added -> the file, a text of it, and what comes in its place; a file that is new has no text.
-ADDITIONS: dict[str, list[tuple[str, str, str]]] = {
+Change = tuple[str, str, str]  #: a file, a text of it, and what comes in its place; a file that is new has no text
+
+#: What can be added.
+ADDITIONS: dict[str, list[Change]] = {
     "field": [("sets/more.yaml", OWN, OWN + FIELD)],
     "set": [("sets/extra.yaml", "", SET)],
     "device": [("devices/model_d.yaml", "", DEVICE)],
@@ -63,13 +68,13 @@ ADDITIONS: dict[str, list[tuple[str, str, str]]] = {
 }  # fmt: skip
 
 #: What is changed in the field that was added. The tool does not look at the types of members; `mipgen diff` does.
-BREAKS = {
+BREAKS: dict[str, list[Change]] = {
     "a parameter more": [
-        ("length: 3", "length: 4"),
-        ("Of the set.}]", "Of the set.}, {name: more, type: u8, description: Appended.}]"),
+        ("sets/more.yaml", "length: 3", "length: 4"),
+        ("sets/more.yaml", "Of the set.}]", "Of the set.}, {name: more, type: u8, description: Appended.}]"),
     ],
-    "the name of a field": [("name: another", "name: other")],
-    "the name of a parameter": [("name: mode", "name: state")],
+    "the name of a field": [("sets/more.yaml", "name: another", "name: other")],
+    "the name of a parameter": [("sets/more.yaml", "name: mode", "name: state")],
 }
 
 #: Without those that bring dependencies.
@@ -77,51 +82,75 @@ FEATURES = ("--default-features", "--features", "std", "--features", "dynamic")
 
 
 @cache
-def made(name: str) -> Path:
-    """The crate of the invented specification with a change."""
-    spec = WORK / "semver" / "spec" / name
+def made(*names: str, attribute: bool = True) -> Path:
+    """The crate of the invented specification with these changes; without `attribute`, nothing is `non_exhaustive`."""
+    folder = WORK / "semver" / (" and ".join(names) + (" exhaustive" if not attribute else "") or "none")
+    spec = folder / "spec"
     with locked(WORK / "semver.made"):
-        shutil.rmtree(spec, ignore_errors=True)
+        shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(SPECS["invented"][0], spec)
-        broken = [("sets/more.yaml", old, new) for old, new in BREAKS.get(name, [])]
-        for file, old, new in [*ADDITIONS.get("field" if broken else name, []), *broken]:
+        for file, old, new in (change for name in names for change in (ADDITIONS | BREAKS)[name]):
             text = (spec / file).read_text("utf-8") if old else ""
             at = text.rindex(old)
             (spec / file).write_text(text[:at] + new + text[at + len(old) :], "utf-8")
-        folder = WORK / "semver" / name
-        render.write(without_dependencies(render.render("rust", load_model(spec))), folder)
-    return folder
+        files = without_dependencies(render.render("rust", load_model(spec)))
+        if not attribute:
+            files = {name: text.replace(b"#[non_exhaustive]\n", b"") for name, text in files.items()}
+        render.write(files, folder / "crate")
+    return folder / "crate"
 
 
 def verdict(old: Path, new: Path, *arguments: str) -> tuple[bool, str]:
     """Is the new crate as compatible as the release type, or its version, says?"""
     command = [need("cargo"), "semver-checks", "--manifest-path", str(new / "Cargo.toml"), "--baseline-root", str(old)]
+    path = f"{TOOLS}{os.pathsep}{os.environ['PATH']}"
     with locked(WORK / "semver.run"):
         done = subprocess.run(
             [*command, "--color=never", *arguments],
-            capture_output=True, text=True, cwd=new,
+            capture_output=True, text=True, cwd=new, env={**os.environ, "PATH": path},
         )  # fmt: skip
     said = done.stdout + done.stderr
     assert "Checked [" in said, said[-4000:]
     return done.returncode == 0, said
 
 
-@pytest.mark.parametrize("what", ADDITIONS)
-def test_an_addition_is_minor(what: str) -> None:
-    fits, said = verdict(made("none"), made(what), *FEATURES, "--release-type", "minor")
+#: What is added -> items of the crate that come with it, as the tool names them.
+ITEMS = {
+    "field": ("variant AnyField::MoreAnother", "struct mip_protocol::more::Another"),
+    "set": ("feature extra", "mod mip_protocol::extra", "variant AnyField::ExtraOne"),
+    "device": ("MODEL_D",),
+    "value": ("Mode::IDLE",),
+    "bit": ("StateFlags::COLD", "StateFlags::set_cold"),
+    "alternative": ("variant CircleFilling::Dotted", "Fill::DOTTED"),
+}
+
+MAJOR = "Summary semver requires new major version"
+
+
+def test_additions_are_minor() -> None:
+    fits, said = verdict(made(), made(*ADDITIONS), *FEATURES, "--release-type", "minor")
     assert fits, said
 
 
-@pytest.mark.parametrize("what", ADDITIONS)
-def test_a_removal_is_major(what: str) -> None:
-    fits, said = verdict(made(what), made("none"), *FEATURES, "--release-type", "minor")
-    assert not fits and "Summary semver requires new major version" in said, said
+def test_each_removal_is_major() -> None:
+    fits, said = verdict(made(*ADDITIONS), made(), *FEATURES, "--release-type", "minor")
+    assert not fits and MAJOR in said, said
+    assert ITEMS.keys() == ADDITIONS.keys()
+    assert [item for items in ITEMS.values() for item in items if f"\n  {item}" not in said] == []
+
+
+def test_additions_would_be_major_without_the_attribute() -> None:
+    """So the test of additions can fail."""
+    old, new = made(attribute=False), made(*ADDITIONS, attribute=False)
+    fits, said = verdict(old, new, *FEATURES, "--release-type", "minor")
+    assert not fits and MAJOR in said, said
+    assert all(f"\n  variant {name} in" in said for name in ("AnyField:MoreAnother", "CircleFilling:Dotted")), said
 
 
 @pytest.mark.parametrize("what", BREAKS)
 def test_other_changes_are_major(what: str) -> None:
-    fits, said = verdict(made("field"), made(what), *FEATURES, "--release-type", "minor")
-    assert not fits and "Summary semver requires new major version" in said, said
+    fits, said = verdict(made("field"), made("field", what), *FEATURES, "--release-type", "minor")
+    assert not fits and MAJOR in said, said
 
 
 @pytest.fixture
