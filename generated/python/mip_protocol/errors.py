@@ -121,3 +121,10 @@ class Failure(Exception):
     def __init__(self, text: str, status: int = 1) -> None:
         super().__init__(text)
         self.status = status
+
+
+class Misuse(Failure):
+    """A command line that is wrong: an unknown name, a value that cannot be."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text, 2)

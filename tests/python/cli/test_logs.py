@@ -444,7 +444,8 @@ def test_an_output_that_takes_nothing(path: Path, tmp_path: Path) -> None:
     for words in (["fields"], ["info", path], ["cut", path, "-o", "-"]):
         with open("/dev/full", "wb") as full:
             done = subprocess.run(command(*words), stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT)
-        assert (done.returncode, done.stderr) == (1, b"mip: No space left on device\n"), words
+        error = f"mip {words[0]}: standard output cannot be written: No space left on device\n"
+        assert (done.returncode, done.stderr.decode()) == (1, error), words
     done = subprocess.run(command("cut", path, "-o", "/dev/full"), stderr=subprocess.PIPE, env=ENVIRONMENT)
     assert (done.returncode, done.stderr) == (1, b"mip cut: /dev/full cannot be written: No space left on device\n")
 

@@ -30,7 +30,7 @@ def place() -> Iterator[str]:
     """A device that streams accelerations at 100 Hz."""
     with simulated() as found:
         words = ("3dm.message_format", "write", "sensor", "gps_timestamp_shared:10,scaled_accel:10")
-        assert mip("send", found, *words)[0] == 1  # no such field
+        assert mip("send", found, *words)[0] == 2  # no such field
         assert mip("send", found, *words[:3], "0xD3:10,scaled_accel:10") == (0, "acknowledged\n", "")
         assert mip("send", found, "3dm.data_stream_control", "write", "sensor", "on")[0] == 0
         yield found
@@ -162,6 +162,14 @@ def _value(p: Parameter) -> Any:
         ),
         (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
         (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is not a whole number"),
+        (
+            ["3dm.message_format", "write", "sensor", "scaled_acel:7"],
+            "descriptor: 'scaled_acel' is neither a number nor a field; did you mean sensor.scaled_accel",
+        ),
+        (
+            ["3dm.message_format", "read", "sensr"],
+            "descriptor_set: 'sensr' is neither a number nor a field; did you mean sensor?",
+        ),
         (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
         (
             ["3dm.message_format", "write", "1", "4:5:6"],
@@ -180,7 +188,7 @@ def _value(p: Parameter) -> Any:
 )
 def test_errors_of_commands(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, said = run(capsys, "send", "--hex", *words)
-    assert (code, out) == (1, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
+    assert (code, out) == (2, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
 
 
 # --------------------------------------------------------------------------- record

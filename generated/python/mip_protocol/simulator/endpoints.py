@@ -15,7 +15,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 
 fcntl: Any
 termios: Any
@@ -48,7 +48,7 @@ def tcp_at(text: str, port: str | None = None) -> Endpoint:
     """From "5000", "localhost:5000" or "[::1]:5000"; 0 lets the system choose. Raises Failure."""
     host, _, digits = text.rpartition(":")
     if not (digits.isascii() and digits.isdigit()) or int(digits) > 65535:
-        raise Failure(
+        raise Misuse(
             f"'{text}' is not a TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
         )
     return Endpoint("tcp", host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)

@@ -9,7 +9,7 @@ from contextlib import ExitStack
 from datetime import datetime, timezone
 from typing import NamedTuple
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..packet import Packet, PacketBuilder
 from . import clocks, inputs, outputs
 from .arguments import add_selection
@@ -107,7 +107,7 @@ def run(options: argparse.Namespace) -> int:
     outputs.refuse_input(options.output, options.file)
     begin, end = options.begin, options.end
     if begin and end and begin.absolute == end.absolute and begin.time > end.time:
-        raise Failure("--begin is after --end", 2)
+        raise Misuse("--begin is after --end")
     packets = size = 0
     with ExitStack() as stack:
         name = options.file

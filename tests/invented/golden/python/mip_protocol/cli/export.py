@@ -8,7 +8,7 @@ import re
 from contextlib import ExitStack
 from typing import Any
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..field import Field
 from . import inputs, outputs
 from .arguments import add_selection
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("file", metavar="FILE", help="a log; - for standard input")
-    add("names", nargs="*", metavar="NAME", help="these fields or sets only")
+    add("names", nargs="*", default=[], metavar="NAME", help="these fields or sets only")
     add(
         "-o",
         "--output",
@@ -78,9 +78,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     form = options.format or _by_ending(options.output)
     if options.split and options.output == "-":
-        raise Failure("--split writes several files; name one with -o, and fields are added to it")
+        raise Misuse("--split writes several files; name one with -o, and fields are added to it")
     if options.split and options.align:
-        raise Failure("--split and --align cannot be combined; leave one out")
+        raise Misuse("--split and --align cannot be combined; leave one out")
     selection = Selection([*options.names, *options.only], options.without)
     aligned = _one_type(options.align) if options.align else None
     module: Any = __import__(f"{__package__}.{FORMATS[form]}", fromlist=["write"])
@@ -92,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
             raise Failure(f"{options.file} has none of these fields; `mip info` lists those it has")
         if aligned is not None and aligned not in job.types:
             if not selection.has(aligned.SET, aligned.DESCRIPTOR):
-                raise Failure(f"{aligned.NAME} is not exported; name it, too, to align with it", 2)
+                raise Misuse(f"{aligned.NAME} is not exported; name it, too, to align with it")
             raise Failure(f"{options.file} has no {aligned.NAME} to align with")
         files = _files(options, job.types)
         for path, _ in files:
@@ -108,7 +108,7 @@ def _by_ending(output: str) -> str:
     other = {"json": "jsonl", "ndjson": "jsonl", "pq": "parquet", "feather": "arrow", "": "csv"}
     form = other.get(ending, ending)
     if form not in FORMATS:
-        raise Failure(f"what format is '{ending}'? use --format {', '.join(FORMATS)}")
+        raise Misuse(f"what format is '{ending}'? use --format {', '.join(FORMATS)}")
     return form
 
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 
 
 @contextmanager
@@ -90,7 +90,7 @@ def refuse_input(output: str, source: str) -> None:
     except (OSError, ValueError):  # one of them does not exist, or standard input is no file
         return
     if same and os.path.isfile(output):
-        raise Failure(f"{output} is the log itself; name another file", 2)
+        raise Misuse(f"{output} is the log itself; name another file")
 
 
 def note(text: str) -> None:
