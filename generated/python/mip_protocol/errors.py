@@ -111,7 +111,7 @@ class MissingExtra(ImportError):
     """A package that belongs to an extra of this package is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
-        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'", name=package)
+        super().__init__(f"{package} is missing; pip install {package}", name=package)
         self.args = (package, extra)
 
 

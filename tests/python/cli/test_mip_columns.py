@@ -178,10 +178,10 @@ def test_a_table_in_a_pipe(path: Path) -> None:
     [
         (
             ["export", "log.bin", "-o", "t.parquet"],
-            "export: numpy is missing; pip install 'mip-protocol[numpy]'; csv and ",
+            "export: numpy is missing; pip install numpy; csv and ",
         ),
         (["export", "log.bin", "-o", "t.npz"], "export: numpy is missing; "),
-        (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: matplotlib is missing; pip install 'mip-protocol[plot]'"),
+        (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: matplotlib is missing; pip install matplotlib"),
     ],
 )
 def test_missing_extras(words: list[str], error: str, path: Path) -> None:

@@ -70,7 +70,7 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
 def test_a_serial_port_needs_an_extra() -> None:
     code, out, error = mip("send", "/dev/tty", "base.ping", extras=False)
     assert (code, out) == (1, "")
-    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install 'mip-protocol[serial]'\n"
+    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install pyserial\n"
 
 
 @pytest.mark.parametrize(
