@@ -156,14 +156,54 @@ def test_complaints_name_the_value() -> None:
     vectors = mip.measurements.Arrays((0, 0, 0), (0, 0), ((0, 0, 0), (0, 0)), (zero, zero), track)
     for value, text in (
         (tools.List.write(tuple(range(200))), "items has 200 elements, a field holds 125"),
-        (tools.List.write((1, 1 << 16)), "an item of items: .* number"),
+        (tools.List.write((1, 1 << 16)), "items[1] is 65536, needs 0 to 65535"),
+        (tools.List.write(("x",)), "items[0] is 'x', needs a whole number from 0 to 65535"),
         (tools.List.write(tuple(range(300))), "items has 300 elements, a field holds 125"),
-        (tools.List.write((1, None)), "an item of items is None"),
-        (vectors, "an item of vectors has 2 elements, needs 3"),
-        (mip.measurements.Health("1", 0), "result is '1'"),
+        (tools.List.write((1, None)), "items[1] is None"),
+        (vectors, "vectors[1] has 2 elements, needs 3"),
+        (mip.measurements.Health("1", 0), "result is '1', needs a Health"),
     ):
-        with pytest.raises(mip.errors.EncodeError, match=text):
+        with pytest.raises(mip.errors.EncodeError) as error:
             value.encode()
+        assert error.value.detail == text
+
+
+def test_complaints_have_the_path_and_the_type() -> None:
+    """None of them is one of the module `struct`."""
+    dm, types, sensor = real.mip_3dm, real.types, real.sensor
+    rates = (types.DescriptorRate(4, 1), types.DescriptorRate(4, 70000))
+    for value, text in (
+        (dm.MessageFormat.write(0x80, rates), "range: descriptors[1].decimation is 70000, needs 0 to 65535"),
+        (dm.MessageFormat.write(0x80, (rates[0], 4)), "range: descriptors[1] is 4, needs a DescriptorRate"),
+        (dm.MessageFormat.write(0x80, (None,)), "missing: descriptors[0] is None"),
+        (
+            dm.MessageFormat.write(0x80, (types.DescriptorRate(None, 1),)),
+            "missing: descriptors[0].descriptor is None",
+        ),
+        (
+            dm.MessageFormat.write("sensor", ()),
+            "range: descriptor_set is 'sensor', needs a whole number from 0 to 255",
+        ),
+        (dm.PpsSourceControl.write("GPIO"), "range: source is 'GPIO', needs a PpsSource"),
+        (dm.PpsSourceControl.write(256), "range: source is 256, needs 0 to 255"),
+        (dm.DataStreamControl.write(0x80, "on"), "range: enable is 'on', needs True or False"),
+        (sensor.ScaledAccel((1, None, 3)), "missing: scaled_accel[1] is None"),
+        (sensor.ScaledAccel((1, 2, "3")), "count: scaled_accel is (1, 2, '3'), needs 3 numbers"),
+        (
+            sensor.ScaledAccel((1e300, 2, 3)),
+            "range: scaled_accel[0] is 1e+300, needs -3.4028235e+38 to 3.4028235e+38",
+        ),
+    ):
+        with pytest.raises(real.errors.EncodeError) as error:
+            value.encode()
+        assert str(error.value) == text
+
+
+def test_arguments_of_a_wrong_type() -> None:
+    with pytest.raises(TypeError, match=r"needs bytes, not text; write Packet\(bytes.fromhex\('75 65'\)\)"):
+        real.packet.Packet("75 65")
+    with pytest.raises(TypeError, match="baud rate '115200': needs a whole number, as in 115200"):
+        real.device.open_port("localhost:1", "115200")
 
 
 def test_errors_can_be_pickled() -> None:

@@ -39,8 +39,9 @@ refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the o
 
 def main(arguments: list[str] | None = None) -> int:
     _usable_streams()
+    given = sys.argv[1:] if arguments is None else arguments
     try:
-        code = _run(sys.argv[1:] if arguments is None else arguments)
+        code = _run(given)
         sys.stdout.flush()
         return code
     except KeyboardInterrupt:
@@ -50,9 +51,14 @@ def main(arguments: list[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except OSError as error:  # of the output: commands say more of their files and ports
-        print(f"mip: {error.strerror or error}", file=sys.stderr)
+        said = error.strerror or error
+        print(f"{_program(given)}: standard output cannot be written: {said}", file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
+
+
+def _program(given: list[str]) -> str:
+    return f"mip {given[0]}" if given and given[0] in COMMANDS else "mip"
 
 
 def _usable_streams() -> None:

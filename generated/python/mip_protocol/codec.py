@@ -145,10 +145,67 @@ class Block:
         return packed
 
     def _complaint(self, values: Sequence[Any], error: Exception) -> EncodeError:
-        for name, value in zip(self._names, values):
-            if value is None:
-                return EncodeError("missing", f"{name} is None")
+        numbers = [n for n, value in enumerate(values) if value is None]
+        if numbers:
+            return EncodeError("missing", f"{self._path(numbers[0])} is None")
+        for n, (letter, value) in enumerate(zip(self._codec.format[1:], values)):
+            needs = _needs(letter, value)
+            if needs:
+                return EncodeError("range", f"{self._path(n)} is {value!r}, needs {needs}")
         return EncodeError("range", f"{', '.join(dict.fromkeys(self._names))}: {error}")
+
+    def _path(self, number: int) -> str:
+        """The name of a value, with its index if it is one of several."""
+        name = self._names[min(number, len(self._names) - 1)]
+        if name.endswith("[]"):
+            return f"{name[:-1]}{number}]"
+        index = self._names[:number].count(name)
+        return f"{name}[{index}]" if self._names.count(name) > 1 else name
+
+
+def _needs(letter: str, value: Any) -> str:
+    """What a value should be that `struct` does not take; empty if it takes it."""
+    try:
+        struct.pack(">" + letter, value)
+        return ""
+    except (struct.error, OverflowError, TypeError):
+        pass
+    if letter in "fd":
+        number = isinstance(value, (int, float))
+        return "-3.4028235e+38 to 3.4028235e+38" if number and letter == "f" else "a number"
+    bits = 8 * struct.calcsize(">" + letter)
+    least, most = (
+        (0, 2**bits - 1) if letter.isupper() else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
+    )
+    return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
+
+
+#: Of what is no number; `typed` says it better if it knows the type.
+WHOLE = "a whole number from "
+
+
+def typed(record: Any, error: EncodeError) -> EncodeError:
+    """An error of a value of a field or structure, with the type that the value should have."""
+    from .reflection import info
+
+    for p in info(type(record)).members:
+        begin = f"{p.attribute} is {getattr(record, p.attribute)!r}, needs "
+        if error.detail.startswith(begin + WHOLE):
+            if p.scalar == "bool":
+                return EncodeError(error.kind, f"{begin}True or False")
+            if isinstance(p.type, type):
+                return EncodeError(error.kind, begin + _one(p.type))
+    return error
+
+
+def within(path: str, error: EncodeError) -> EncodeError:
+    """An error of a part, with the path to the part before its own."""
+    joint = "." if path and error.detail[:1] not in ("[", " ") else ""
+    return EncodeError(error.kind, f"{path}{joint}{error.detail}")
+
+
+def _one(kind: type) -> str:
+    return f"a{'n' * (kind.__name__[0] in 'AEIOU')} {kind.__name__}"
 
 
 def _singles(layout: str) -> tuple[tuple[int, int], ...]:
@@ -206,7 +263,7 @@ def remaining(data: bytes, at: int, size: int) -> int:
 
 @lru_cache(maxsize=256)
 def _array(name: str, letter: str, count: int) -> Block:
-    return Block(letter * count, *[name] * count)
+    return Block(letter * count, f"{name}[]")
 
 
 def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ...]:
@@ -214,7 +271,7 @@ def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ..
 
 
 def write_numbers(name: str, letter: str, values: Sequence[Any]) -> bytes:
-    return _array(f"an item of {name}", letter, len(values)).write(*values)
+    return _array(name, letter, len(values)).write(*values)
 
 
 def read_vectors(
@@ -225,8 +282,13 @@ def read_vectors(
 
 
 def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> bytes:
-    item = f"an item of {name}"
-    return b"".join(write_numbers(name, letter, elements(item, v, width)) for v in values)
+    out: list[bytes] = []
+    for v in values:
+        try:
+            out.append(write_numbers("", letter, elements("", v, width)))
+        except EncodeError as error:
+            raise within(f"{name}[{len(out)}]", error) from None
+    return b"".join(out)
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
@@ -242,12 +304,21 @@ def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> by
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     if not isinstance(value, kind):
-        raise EncodeError("range", f"{name} is {value!r}, needs a {kind.__name__}")
-    return value._write()
+        raise EncodeError("range", f"{name} is {value!r}, needs {_one(kind)}")
+    try:
+        return value._write()
+    except EncodeError as error:
+        raise within(name, typed(value, error)) from None
 
 
 def write_structures(name: str, values: Sequence[Any], kind: type[_Structure]) -> bytes:
-    return b"".join(structure(name, v, kind) for v in values)
+    out: list[bytes] = []
+    for v in values:
+        try:
+            out.append(structure("", v, kind))
+        except EncodeError as error:
+            raise within(f"{name}[{len(out)}]", error) from None
+    return b"".join(out)
 
 
 def little(name: str, value: int, size: int) -> bytes:
@@ -255,11 +326,13 @@ def little(name: str, value: int, size: int) -> bytes:
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     if not isinstance(value, int):
-        raise EncodeError("range", f"{name} is {value!r}, needs a number")
+        needs = f"{WHOLE}0 to {256**size - 1}"
+        raise EncodeError("range", f"{name} is {value!r}, needs {needs}")
     try:
         return value.to_bytes(size, "little")
     except OverflowError:
-        raise EncodeError("range", f"{name}: {value} does not fit into {size} bytes") from None
+        needs = f"0 to {256**size - 1}"
+        raise EncodeError("range", f"{name} is {value}, needs {needs}") from None
 
 
 def constant(found: int, wanted: int) -> None:

@@ -31,8 +31,12 @@ def test_one_packet_explained() -> None:
 def test_what_is_wrong_with_a_packet() -> None:
     code, out, error = mip("dump", ACCEL.replace("84 EE", "84 EF"))
     assert code == 1 and "20 bytes outside packets, checksum 84ef should be 84ee: 75 65 80" in out
-    assert error == "mip dump: no packet in 20 bytes; packets begin with 75 65\n"
-    assert "2 bytes are missing at the end of a packet" in mip("dump", ACCEL[:-6])[1]
+    assert error == "mip dump: no packet in 20 bytes: checksum 84ef should be 84ee\n"
+    missing = "no packet in 18 bytes: 2 bytes are missing at the end of a packet"
+    code, out, error = mip("dump", ACCEL[:-6])
+    assert "2 bytes are missing at the end of a packet: 75 65" in out and missing in error
+    assert "in 19 bytes: 1 byte is missing at the end of a packet\n" in mip("dump", ACCEL[:-3])[2]
+    assert "in 1 byte: packets begin with 75 65\n" in mip("dump", "75")[2]
     broken = PacketBuilder(0x80).build()
     body = bytes.fromhex("7565800405040102")
     from mip_protocol import checksum
@@ -43,6 +47,19 @@ def test_what_is_wrong_with_a_packet() -> None:
     unknown = bytes(PacketBuilder(0x80).add(0x79, b"\1\2").add(0x04, b"\0").build())
     code, out, _ = mip("dump", unknown.hex())
     assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes needed, 1 left" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (ACCEL[:-1].split(), "'E' is not a byte in hexadecimal, which has two digits"),
+        ([ACCEL[:-1]], "'E' is not a byte in hexadecimal, which has two digits"),
+        (ACCEL.replace("80", "zz").split(), "'zz' is not a byte in hexadecimal, which has two digits"),
+        ([ACCEL.replace(" ", "")[:-1]], "an odd number of hexadecimal digits; two make a byte"),
+    ],
+)
+def test_a_mistake_in_hexadecimal_digits(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, "dump", *words) == (2, "", f"mip dump: {error}\n")
 
 
 @pytest.mark.parametrize("way", ["file", "pipe", "hexadecimal file", "hexadecimal pipe"])

@@ -171,6 +171,38 @@ def test_by_time(path: Path, tmp_path: Path) -> None:
     assert seconds(utc)[0] == pytest.approx(1.0) and seconds(utc)[-1] == pytest.approx(1.99)
 
 
+@pytest.mark.parametrize(
+    ("words", "code", "error"),
+    [
+        ("--begin 3 --end 1", 2, "--begin is after --end\n"),
+        ("--begin 2024-01-06T23:59:44 --end 2024-01-06T23:59:43", 2, "--begin is after --end\n"),
+        ("--packets 5:2", 2, "error: argument --packets: '5:2' begins after its end\n"),
+        ("--bytes 5:2", 2, "error: argument --bytes: '5:2' begins after its end\n"),
+        ("--begin 100", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--begin 1 --end 1", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--end 2000-01-01", 1, "log.bin begins at 2024-01-06T23:59:42.41Z and lasts 3.99 s\n"),
+        ("--packets 9999:", 1, "the part has no packets; log.bin has COUNT packets\n"),
+        ("--packets 0:1 --begin 2", 1, "the part has no packets; log.bin has 1 packet up to there\n"),
+        ("--only gnss_2", 1, "the part has no packets; log.bin has other fields there; `mip info` lists them\n"),
+    ],
+)
+def test_a_part_is_not_empty(
+    words: str,
+    code: int,
+    error: str,
+    path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """An older file of this name is kept."""
+    monkeypatch.chdir(path.parent)
+    Path("part").write_bytes(b"older")
+    found = run(capsys, "cut", "log.bin", "-o", "part", *words.split())
+    wanted = error.replace("COUNT", str(len(packets(path.read_bytes()))))
+    assert found[:2] == (code, "") and found[2].endswith(wanted) and "mip cut: " in found[2]
+    assert Path("part").read_bytes() == b"older"
+
+
 def test_fields_are_taken_out(path: Path) -> None:
     code, _, _ = mip("cut", path, "-o", path.with_name("part"), "--only", "sensor", "--without", "shared,scaled_mag")
     found = packets(path.with_name("part").read_bytes())
@@ -273,6 +305,31 @@ def test_align(path: Path) -> None:
     assert all(r["sensor.scaled_accel.x [g]"] for r in rows)
 
 
+def test_align_json_lines(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same rows and values as in CSV."""
+    names = ("sensor.scaled_accel", "filter_data.llh_position", "gnss_1.llh_position")
+    for more in ([], ["--invalid", "mask"], ["--invalid", "drop"]):
+        words = ("export", path, *names, "--align", names[1], *more, "-o", "-")
+        rows = table(run(capsys, *words)[1])
+        lines = [json.loads(line) for line in run(capsys, *words, "--format", "jsonl")[1].splitlines()]
+        assert len(rows) == len(lines) > 50
+        for row, line in zip(rows, lines, strict=True):
+            assert list(line) == ["time", "time_own", "packet", "offset", "fields"] and line["time"] == row["time"]
+            assert sorted(line["fields"]) == sorted(names) and line["fields"][names[1]]
+            for name, label in ((names[0], "scaled_accel.x [g]"), (names[1], "llh_position.longitude [deg]")):
+                held = line["fields"][name]
+                value = held and (held["scaled_accel"][0] if name == names[0] else held["longitude"])
+                assert ("" if value is None else repr(value)) == row[f"{name.partition('.')[0]}.{label}"]
+        assert any(line["fields"][names[2]] for line in lines) or more
+
+
+def test_align_with_a_field_that_is_not_exported(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("export", path, "sensor.scaled_accel", "--align", "sensor.scaled_gyro", "-o", "-")
+    error = "mip export: sensor.scaled_gyro is not exported; name it, too, to align with it\n"
+    assert run(capsys, *words) == (2, "", error)
+    assert run(capsys, *words, "--only", "sensor.scaled_gyro")[0] == 0
+
+
 def test_json_lines(path: Path) -> None:
     out = mip("export", path, "-o", "-", "--format", "jsonl", "--names", extras=False)[1].splitlines()
     expected = [(p, f) for p in packets(log()) for f in registry.decode_packet(p)]
@@ -341,6 +398,36 @@ def test_nothing_half_written(path: Path, tmp_path: Path) -> None:
     assert target.read_text() == "mine" and not list(tmp_path.glob("*.part"))
 
 
+@pytest.mark.parametrize("name", ["log.bin", "./log.bin", "link", "hard"])
+def test_no_log_is_replaced_by_what_is_made_of_it(name: str, path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = path.read_bytes()
+    path.with_name("link").symlink_to("log.bin")
+    path.with_name("hard").hardlink_to(path)
+    out = f"{path.parent}/{name}"
+    for words in (["cut"], ["cut", "--begin", "1"], ["export", "--format", "csv"], ["export", "--format", "jsonl"]):
+        for source, output in ((path, out), (out, path)):
+            code, said, error = run(capsys, words[0], source, "-o", output, *words[1:])
+            wanted = f"mip {words[0]}: {output} is the log itself; name another file\n"
+            assert (code, said, error) == (2, "", wanted)
+    assert path.read_bytes() == before
+
+
+def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = path.read_bytes()
+    with path.open("rb") as file:
+        done = subprocess.run(command("cut", "-", "-o", path), stdin=file, capture_output=True, env=ENVIRONMENT)
+    assert done.returncode == 2 and b"is the log itself" in done.stderr
+    split = path.with_name("x.gnss_1.llh_position.csv")
+    path.rename(split)
+    code, _, error = run(capsys, "export", split, "gnss_1", "--split", "-o", path.with_name("x.csv"))
+    assert code == 2 and "is the log itself" in error and sorted(path.parent.iterdir()) == [split]
+    words = ("simulate", "3dm-gx5-15", "--duration", 1, "--motion", f"replay:file={split}", "--fault-log", split)
+    code, _, error = run(capsys, *words)
+    assert code == 2 and "is the log itself" in error
+    assert split.read_bytes() == before
+    assert run(capsys, "export", split, "-o", "/dev/null", "--format", "csv")[0] == 0
+
+
 def test_a_full_disk(path: Path, tmp_path: Path) -> None:
     def limited() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
@@ -357,9 +444,10 @@ def test_an_output_that_takes_nothing(path: Path, tmp_path: Path) -> None:
     for words in (["fields"], ["info", path], ["cut", path, "-o", "-"]):
         with open("/dev/full", "wb") as full:
             done = subprocess.run(command(*words), stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT)
-        assert (done.returncode, done.stderr) == (1, b"mip: No space left on device\n"), words
+        error = f"mip {words[0]}: standard output cannot be written: No space left on device\n"
+        assert (done.returncode, done.stderr.decode()) == (1, error), words
     done = subprocess.run(command("cut", path, "-o", "/dev/full"), stderr=subprocess.PIPE, env=ENVIRONMENT)
-    assert done.returncode == 1 and done.stderr.count(b"\n") == 1 and b"No space left" in done.stderr
+    assert (done.returncode, done.stderr) == (1, b"mip cut: /dev/full cannot be written: No space left on device\n")
 
 
 def test_streams_that_are_closed_or_plain(path: Path) -> None:

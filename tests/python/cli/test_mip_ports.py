@@ -30,7 +30,7 @@ def place() -> Iterator[str]:
     """A device that streams accelerations at 100 Hz."""
     with simulated() as found:
         words = ("3dm.message_format", "write", "sensor", "gps_timestamp_shared:10,scaled_accel:10")
-        assert mip("send", found, *words)[0] == 1  # no such field
+        assert mip("send", found, *words)[0] == 2  # no such field
         assert mip("send", found, *words[:3], "0xD3:10,scaled_accel:10") == (0, "acknowledged\n", "")
         assert mip("send", found, "3dm.data_stream_control", "write", "sensor", "on")[0] == 0
         yield found
@@ -70,7 +70,7 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
 def test_a_serial_port_needs_an_extra() -> None:
     code, out, error = mip("send", "/dev/tty", "base.ping", extras=False)
     assert (code, out) == (1, "")
-    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install 'mip-protocol[serial]'\n"
+    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install pyserial\n"
 
 
 @pytest.mark.parametrize(
@@ -162,6 +162,14 @@ def _value(p: Parameter) -> Any:
         ),
         (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
         (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is not a whole number"),
+        (
+            ["3dm.message_format", "write", "sensor", "scaled_acel:7"],
+            "descriptor: 'scaled_acel' is neither a number nor a field; did you mean sensor.scaled_accel",
+        ),
+        (
+            ["3dm.message_format", "read", "sensr"],
+            "descriptor_set: 'sensr' is neither a number nor a field; did you mean sensor?",
+        ),
         (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
         (
             ["3dm.message_format", "write", "1", "4:5:6"],
@@ -180,7 +188,7 @@ def _value(p: Parameter) -> Any:
 )
 def test_errors_of_commands(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, said = run(capsys, "send", "--hex", *words)
-    assert (code, out) == (1, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
+    assert (code, out) == (2, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
 
 
 # --------------------------------------------------------------------------- record
@@ -191,7 +199,10 @@ def test_a_recording(place: str, tmp_path: Path) -> None:
     assert mip("record", place, "-o", out, "--packets", "20", extras=False) == (0, "", "")
     parser = Parser()
     assert len(parser.feed(out.read_bytes())) == 20 and parser.pending == 0
-    assert mip("record", place, "-o", out, "--duration", "0.3")[0] == 0
+    kept = out.read_bytes()
+    error = f"mip record: {out} exists; name another file, or replace it with --force\n"
+    assert mip("record", place, "-o", out, "--duration", "0.3") == (1, "", error) and out.read_bytes() == kept
+    assert mip("record", place, "-o", out, "--duration", "0.3", "--force") == (0, "", "")
     assert 5 < len(Parser().feed(out.read_bytes())) < 60
     assert [p.name for p in tmp_path.iterdir()] == ["log"]
 
@@ -203,6 +214,31 @@ def test_a_recording_ends_by_a_signal(number: int, place: str, tmp_path: Path) -
         process.send_signal(number)
         assert process.communicate(timeout=PATIENCE) == (b"", b"") and process.returncode == 0
     assert [p.name for p in tmp_path.iterdir()] == ["log"] and Parser().feed((tmp_path / "log").read_bytes())
+
+
+def test_a_recording_of_nothing(tmp_path: Path) -> None:
+    """Nothing is written, and an older recording is kept."""
+    out = tmp_path / "log"
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        words = ("record", where, "-o", out, "--duration", "0.2", "--force")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing\n")
+        assert list(tmp_path.iterdir()) == []
+        out.write_bytes(b"older")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing; {out} is as it was\n")
+    assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("log", b"older")]
+
+
+def test_a_recording_that_cannot_get_its_name(place: str, tmp_path: Path) -> None:
+    out = tmp_path / "log"
+    with running("record", place, "-o", out) as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("log.*.part")), process)
+        out.mkdir()
+        process.send_signal(signal.SIGINT)
+        error = process.communicate(timeout=PATIENCE)[1].decode()
+    (part,) = tmp_path.glob("log.*.part")
+    assert process.returncode == 1 and Parser().feed(part.read_bytes())
+    assert error == f"mip record: {out} cannot be written: Is a directory; the bytes are in {part}\n"
 
 
 def wait_for(condition: object, process: subprocess.Popen[bytes]) -> None:

@@ -31,8 +31,19 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
     for words in (["dumb"], ["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
         code, out, error = run(capsys, *words)
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
+    for words, required in (("send", "PORT, COMMAND"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
+        assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
+    code, out, error = run(capsys, "completion", "tcsh")
+    assert code == 2 and "words" not in error.lower() and "WORD" not in run(capsys, "completion", "--help")[1]
     _, _, error = run(capsys, "dump", "x", "--fast")
     assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
+
+
+#: What is wrong with the command line itself, not with files, and not with what was found.
+MISUSE = (
+    "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|what format|several|"
+    "is unknown|is in every data set"
+)
 
 
 @pytest.mark.parametrize(
@@ -40,7 +51,7 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
     [
         (["dump", "NOWHERE"], "dump: NOWHERE cannot be read: No such file or directory"),
         (["dump", "FOLDER"], "dump: FOLDER cannot be read: Is a directory"),
-        (["dump", "EMPTY"], "dump: no packet in 0 bytes; packets begin with 75 65"),
+        (["dump", "EMPTY"], "dump: no packet in 0 bytes: packets begin with 75 65"),
         (["dump", "ODD"], "dump: ODD has an odd number of hexadecimal digits; two make a byte"),
         (["dump", "LOG", "--only", "sensr"], "dump: 'sensr' is not a field; "),
         (["dump", "LOG", "--only", "0x80:256"], "dump: '0x80:256' has a number above 255; use 0 to 255"),
@@ -67,7 +78,22 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
             "export: 'gps_timestamp' is in several sets; write ",
         ),
         (["fields", "sensor.x"], "fields: 'sensor.x' is not a field; "),
+        (["fields", "nope"], "fields: 'nope' is not a field; `mip fields` lists the sets"),
+        (["fields", "temperature"], "fields: 'temperature' is not a field; "),
         (["fields", "sensor", "--search", "banana"], "fields: no field matches all words; use fewer"),
+        (
+            ["fields", "--search", "acel"],
+            "fields: no field has 'acel' in its name or description; did you mean accel",
+        ),
+        (
+            ["fields", "--search", "qqqq"],
+            "fields: no field has 'qqqq' in its name or description; `mip fields` lists the sets",
+        ),
+        (["simulate", "nope"], "simulate: device 'nope' is unknown; "),
+        (["simulate", DEVICE, "--tcp", "abc"], "simulate: 'abc' is not a TCP port; "),
+        (["simulate", DEVICE, "--fault", "loose=1"], "simulate: fault 'loose' is unknown; "),
+        (["simulate", DEVICE, "--motion", "flying"], "simulate: --motion 'flying' is not a motion; "),
+        (["simulate", DEVICE, "--motion", "track:file=NOWHERE"], "simulate: --motion "),
         (
             ["bandwidth", "sensor.scaled_accel"],
             "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in ",
@@ -95,7 +121,8 @@ def test_errors_are_one_line(
     Path("LOG").write_bytes(log(0.2))
     before = sorted(tmp_path.iterdir())
     code, out, said = run(capsys, *words)
-    assert (code, out) == (1, "") and said.startswith(f"mip {error}") and said.count("\n") == 1, said
+    status = 2 if re.search(MISUSE, error) else 1
+    assert (code, out) == (status, "") and said.startswith(f"mip {error}") and said.count("\n") == 1, said
     assert sorted(tmp_path.iterdir()) == before
 
 

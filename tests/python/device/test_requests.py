@@ -653,7 +653,7 @@ def test_the_core_imports_nothing_of_it() -> None:
 def test_a_missing_package_is_named() -> None:
     code = "sys.modules['serial'] = None\nfrom mip_protocol import open_port\n"
     code += "try: open_port('/dev/ttyS0')\nexcept ImportError as e: print(type(e).__name__, e)"
-    assert python(code) == "MissingExtra pyserial is missing; pip install 'mip-protocol[serial]'"
+    assert python(code) == "MissingExtra pyserial is missing; pip install pyserial"
 
 
 def test_every_name_can_be_had() -> None:

@@ -43,12 +43,17 @@ complete -c mip -a '(__mip_words)'
 }
 
 
+class _Shells(tuple[str, ...]):
+    """The shells; `words`, which the scripts call, is taken but not shown."""
+
+    def __contains__(self, name: object) -> bool:
+        return name == "words" or super().__contains__(name)
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
-    parser.add_argument(
-        "shell", choices=(*SCRIPTS, "words"), help="the shell; `words` is what the scripts call"
-    )
-    parser.add_argument("words", nargs="*", metavar="WORD", help="of `words`: what has been typed")
+    parser.add_argument("shell", choices=_Shells(SCRIPTS), metavar="SHELL", help=", ".join(SCRIPTS))
+    parser.add_argument("words", nargs="*", default=[], help=argparse.SUPPRESS)
 
 
 def run(options: argparse.Namespace) -> int:

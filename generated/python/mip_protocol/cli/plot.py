@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..errors import Failure, MissingExtra, UnknownName
+from ..errors import Failure, MissingExtra, Misuse, UnknownName
 from ..field import Data, Field
 from ..parameter import Parameter
 from ..reflection import info
@@ -78,6 +78,8 @@ class Curve(NamedTuple):
 def run(options: argparse.Namespace) -> int:
     pyplot = _matplotlib(window=options.output is None)
     form = _format(options.output)
+    if options.output is not None:
+        outputs.refuse_input(options.output, options.file)
     curves = [curve for name in options.names for curve in _curves(name)]
     from .. import read_log
 
@@ -116,7 +118,7 @@ def _format(output: str | None) -> str | None:
     if output == "-":
         return "png"
     if ending not in FORMATS:
-        raise Failure(f"what format is '{ending}'? name a file that ends in .png, .svg or .pdf")
+        raise Misuse(f"what format is '{ending}'? name a file that ends in .png, .svg or .pdf")
     return ending
 
 
@@ -127,24 +129,24 @@ def _curves(name: str) -> list[Curve]:
     """A field, one of its parameters, or an element of that."""
     kind, path = _split(name)
     if not issubclass(kind, Data):
-        raise Failure(f"{kind.NAME} is not a data field; `mip info` lists the fields of a log")
+        raise Misuse(f"{kind.NAME} is not a data field; `mip info` lists the fields of a log")
     numbers = [p for p in info(kind).members if _drawable(p)]
     if not path:
         plain = [p for p in numbers if p.type is None]  # flags and states only if they are named
         if not plain:
-            raise Failure(f"{kind.NAME} has no numbers to draw; name one of its parameters")
+            raise Misuse(f"{kind.NAME} has no numbers to draw; name one of its parameters")
         return [Curve(kind, p, p.attribute, "") for p in plain]
     known = {p.name: p for p in numbers}
     own = kind.NAME.partition(".")[2]
     if path[0] not in known and own in known:  # sensor.scaled_accel.x
         path = [own, *path]
     if path[0] not in known or len(path) > 2:
-        raise Failure(f"{kind.NAME} has no number '{'.'.join(path)}'; it has {', '.join(known)}")
+        raise Misuse(f"{kind.NAME} has no number '{'.'.join(path)}'; it has {', '.join(known)}")
     p = known[path[0]]
     element = path[1] if len(path) > 1 else ""
     if element and element not in p.elements:
         has = f"it has {', '.join(p.elements)}" if p.elements else "it is one number"
-        raise Failure(f"{'.'.join((kind.NAME, *path[:-1]))} has no element '{element}'; {has}")
+        raise Misuse(f"{'.'.join((kind.NAME, *path[:-1]))} has no element '{element}'; {has}")
     return [Curve(kind, p, p.attribute, element)]
 
 
@@ -160,7 +162,7 @@ def _split(name: str) -> tuple[type[Field], list[str]]:
             return field(".".join(parts[:count])), parts[count:]
         except (Failure, UnknownName) as error:
             last = last or (error if isinstance(error, Failure) else None)
-    raise last or Failure(f"'{name}' is not a field")
+    raise last or Misuse(f"'{name}' is not a field")
 
 
 def draw(

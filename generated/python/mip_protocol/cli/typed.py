@@ -9,12 +9,12 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import IntEnum, IntFlag
 from typing import Any
 
-from ..errors import EncodeError, Failure
+from ..errors import EncodeError, Failure, Misuse
 from ..field import Command, Structure
 from ..parameter import Parameter
 from ..protocol import FunctionSelector
 from ..reflection import PARAMETERS
-from .selection import keys
+from .selection import keys, near
 
 _INTEGERS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64")
 
@@ -33,14 +33,14 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
         if p.attribute not in given and accepted[p.attribute].default is inspect.Parameter.empty
     ]
     if missing:
-        raise Failure(f"{kind.NAME} needs {', '.join(missing)}; {usage(kind)}")
+        raise Misuse(f"{kind.NAME} needs {', '.join(missing)}; {usage(kind)}")
     try:
         built = build(**given)
         built.encode()
     except EncodeError as error:
-        raise Failure(f"{kind.NAME} cannot be sent: {error.detail}; {usage(kind)}") from None
+        raise Misuse(f"{kind.NAME} cannot be sent: {error.detail}; {usage(kind)}") from None
     except (TypeError, ValueError) as error:
-        raise Failure(f"{kind.NAME} cannot be sent: {error}; {usage(kind)}") from None
+        raise Misuse(f"{kind.NAME} cannot be sent: {error}; {usage(kind)}") from None
     assert isinstance(built, Command)
     return built
 
@@ -76,7 +76,7 @@ def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..
         return kind, list(words)
     if not words or words[0].lower() not in known:
         said = f"not '{words[0]}'" if words else "and it is missing"
-        raise Failure(f"{kind.NAME} takes a function, {said}: {', '.join(known)}")
+        raise Misuse(f"{kind.NAME} takes a function, {said}: {', '.join(known)}")
     return getattr(kind, words[0].lower()), list(words[1:])
 
 
@@ -92,16 +92,16 @@ def _assigned(
         if equal and name in by_name:
             p, text = by_name[name], rest
             if p.attribute in found:
-                raise Failure(f"{name} is given twice")
+                raise Misuse(f"{name} is given twice")
         elif equal and name.isidentifier():
             names = ", ".join(p.name for p in wanted) or "none"
-            raise Failure(f"{kind.NAME} has no parameter '{name}' here; it has {names}")
+            raise Misuse(f"{kind.NAME} has no parameter '{name}' here; it has {names}")
         else:
             while free and free[0].attribute in found:
                 free.pop(0)
             if not free:
                 names = ", ".join(p.name for p in wanted) or "no values"
-                raise Failure(f"'{word}' is one value too many; {kind.NAME} takes {names}")
+                raise Misuse(f"'{word}' is one value too many; {kind.NAME} takes {names}")
             p, text = free.pop(0), word
         found[p.attribute] = (p, text)
     return [found[p.attribute] for p in wanted if p.attribute in found]
@@ -116,13 +116,13 @@ def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
         if case is None:
-            raise Failure(f"{p.name} has nothing to be given for {p.tag}={tag}")
+            raise Misuse(f"{p.name} has nothing to be given for {p.tag}={tag}")
         return value(case, text, before)
     if text[:1] in "[{" and text:
         try:
             return _from_json(p, json.loads(text))
         except json.JSONDecodeError as error:
-            raise Failure(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
+            raise Misuse(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
     if p.kind == "struct":
         return _structure(p, text)
     if p.kind == "array":
@@ -141,7 +141,7 @@ def _structure(p: Parameter, text: str) -> Any:
     parts = text.split(":")
     if len(parts) > len(members):
         names = ":".join(m.name for m in members)
-        raise Failure(f"{p.name}: '{text}' has too many parts; write {names}")
+        raise Misuse(f"{p.name}: '{text}' has too many parts; write {names}")
     given: dict[str, Any] = {}
     for m, part in zip(members, parts):
         given[m.attribute] = value(m, part, given)
@@ -153,7 +153,7 @@ def _made(p: Parameter, given: dict[str, Any]) -> Any:
         return p.type(**given)
     except TypeError:
         names = ":".join(m.name for m in PARAMETERS[p.type] if m.attribute)
-        raise Failure(f"{p.name} has parts that are missing; write {names}") from None
+        raise Misuse(f"{p.name} has parts that are missing; write {names}") from None
 
 
 def _from_json(p: Parameter, given: Any) -> Any:
@@ -163,7 +163,7 @@ def _from_json(p: Parameter, given: Any) -> Any:
         members = {m.name: m for m in PARAMETERS[p.type]}
         unknown = [name for name in given if name not in members]
         if unknown:
-            raise Failure(f"{p.name} has no '{unknown[0]}'; it has {', '.join(members)}")
+            raise Misuse(f"{p.name} has no '{unknown[0]}'; it has {', '.join(members)}")
         found: dict[str, Any] = {}
         for name, v in given.items():
             m = members[name]
@@ -172,7 +172,7 @@ def _from_json(p: Parameter, given: Any) -> Any:
             found[m.attribute] = _from_json(case or m, v)
         return _made(p, found)
     if isinstance(given, (dict, type(None))):
-        raise Failure(f"{p.name}: {json.dumps(given)} is not a value for it")
+        raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
     return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
 
 
@@ -188,25 +188,28 @@ def _scalar(p: Parameter, text: str) -> Any:
             return names[text.lower()]
         if (number := _integer(text)) is not None:
             return kind(number)
-        raise Failure(f"{p.name}: '{text}' is not one of {', '.join(names)}")
+        raise Misuse(f"{p.name}: '{text}' is not one of {', '.join(names)}")
     if p.scalar == "bool":
         said = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
         if text.lower() in said:
             return said[text.lower()]
         if (number := _integer(text)) is not None:
             return number if number not in (0, 1) else bool(number)
-        raise Failure(f"{p.name}: '{text}' is neither true nor false")
+        raise Misuse(f"{p.name}: '{text}' is neither true nor false")
     if p.scalar in _INTEGERS or p.kind == "bits":
         number = _integer(text)
         if number is None and p.scalar == "u8":
             number = _named_number(text)
+            if number is None and (close := near(text)):
+                hint = f"neither a number nor a field; did you mean {close}?"
+                raise Misuse(f"{p.name}: '{text}' is {hint}")
         if number is None:
-            raise Failure(f"{p.name}: '{text}' is not a whole number")
+            raise Misuse(f"{p.name}: '{text}' is not a whole number")
         return number
     try:
         return float(text)
     except ValueError:
-        raise Failure(f"{p.name}: '{text}' is not a number") from None
+        raise Misuse(f"{p.name}: '{text}' is not a number") from None
 
 
 def _integer(text: str) -> int | None:
@@ -243,7 +246,7 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
             mask = int(known)
             lowest = mask & -mask
             if many is None or not 0 <= many * lowest <= mask:
-                raise Failure(
+                raise Misuse(
                     f"{p.name}: '{part}' does not fit; {name} has {bin(mask).count('1')} bits"
                 )
             bits |= many * lowest
@@ -252,7 +255,7 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
         elif (whole := _integer(name)) is not None:
             bits |= whole
         else:
-            raise Failure(f"{p.name}: '{part}' is not one of {', '.join(names)}")
+            raise Misuse(f"{p.name}: '{part}' is not one of {', '.join(names)}")
     return kind(bits)
 
 

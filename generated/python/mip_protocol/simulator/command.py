@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import signal
 import sys
 from contextlib import ExitStack
@@ -11,8 +12,9 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+from ..cli.outputs import refuse_input
 from ..devices import DEVICES, Device
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
@@ -124,7 +126,7 @@ def run(options: argparse.Namespace) -> int:
     profile = _profile(options.device)
     endpoints = _endpoints(options, profile)
     if options.log_packets and options.fault_log is None:
-        raise Failure("--log-packets needs a file; add --fault-log FILE")
+        raise Misuse("--log-packets needs a file; add --fault-log FILE")
     with ExitStack() as stack:
         faults = _faults(options, stack)
         device = _device(options, profile, faults)
@@ -157,7 +159,7 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
     try:
         motion = parse_motion(options.motion)
     except MotionError as error:
-        raise Failure(f"--motion {error}") from None
+        raise Failure(f"--motion {error}", 1 if "file=" in options.motion else 2) from None
     device = VirtualDevice(
         profile,
         motion=motion,
@@ -175,6 +177,9 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     plans = parse_faults(",".join(options.fault))
     log = None
     if options.fault_log is not None:
+        replayed = re.search(r"[:,]file=([^,]+)", options.motion)
+        if replayed is not None:
+            refuse_input(str(options.fault_log), replayed[1])
         try:
             file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
         except OSError as error:
@@ -218,7 +223,7 @@ def _complain(text: str) -> None:
 
 def _profile(name: str | None) -> Device:
     if name is None:
-        raise Failure("which device? `mip simulate --list` lists them all")
+        raise Misuse("which device? `mip simulate --list` lists them all")
     return device_named(name)
 
 
@@ -228,7 +233,7 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
         name, _, where = text.partition("=")
         kind, _, place = where.partition(":")
         if kind not in ("pty", "tcp"):
-            raise Failure(
+            raise Misuse(
                 f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT"
             )
         port = port_named(profile, name).name
@@ -236,7 +241,7 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
     paths = [e.path for e in found if e.path]
     for path in paths:
         if paths.count(path) > 1:
-            raise Failure(f"{path} is given for two terminals; choose different paths")
+            raise Misuse(f"{path} is given for two terminals; choose different paths")
     return found or [pty_at("")]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 
 from ..devices import DEVICES
-from ..errors import Failure
+from ..errors import Misuse
 from ..profile import Device, Port
 
 
@@ -17,7 +17,7 @@ def device_named(name: str) -> Device:
         near = [n for n in sorted(names) if wanted in n]  # a part of the name, else a similar one
         near = near or difflib.get_close_matches(wanted, names, 1, 0.5)
         hint = f"do you mean {names[near[0]].id}? " if near else ""
-        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` lists them all")
+        raise Misuse(f"device '{name}' is unknown; {hint}`mip simulate --list` lists them all")
     return names[wanted]
 
 
@@ -27,7 +27,7 @@ def port_named(profile: Device, name: str) -> Port:
         if _plain(port.name) == _plain(name):
             return port
     known = ", ".join(p.name for p in profile.ports) or "none are known"
-    raise Failure(f"{profile.title} has no port '{name}'; its ports: {known}")
+    raise Misuse(f"{profile.title} has no port '{name}'; its ports: {known}")
 
 
 def _plain(name: str) -> str:

@@ -1,6 +1,6 @@
 """Decodes a folder of MIP logs into a partitioned Parquet data set, on several cores, with Dask.
 
-    pip install mip-protocol[dask]
+    pip install './generated/python[dask]'
     python logs_to_parquet.py LOGS OUT --part 64
 
 Each log is cut into parts of so many MiB, and each part is decoded by itself: by processes of this

@@ -6,7 +6,7 @@ import argparse
 import math
 
 from .. import lookup
-from ..errors import Failure, UnknownName
+from ..errors import Misuse, UnknownName
 
 
 def add_selection(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +37,7 @@ def device_id(name: str | None) -> str | None:
     try:
         return lookup.device_id(name)
     except UnknownName as error:
-        raise Failure(f"{error}; `mip simulate --list` lists them all") from None
+        raise Misuse(f"{error}; `mip simulate --list` lists them all") from None
 
 
 def positive(text: str) -> int:

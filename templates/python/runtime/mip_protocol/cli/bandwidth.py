@@ -6,7 +6,7 @@ import argparse
 import math
 from typing import Any, NamedTuple
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..field import Data, Field, Structure
 from ..packet import MAX_PAYLOAD, OVERHEAD
 from ..reflection import PARAMETERS
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
     streams = [_stream(text) for text in options.streams]
     for stream in streams:
         if stream.set == 0xFF:
-            raise Failure(
+            raise Misuse(
                 f"{stream.name} is in every data set; say which: sensor:{stream.name}@{stream.rate:g}"
             )
     profile = None
@@ -175,17 +175,17 @@ def _stream(text: str) -> Stream:
         if not at or not 0 < hz <= 1e6 or not 0 <= elements <= 255:
             raise ValueError
     except ValueError:
-        raise Failure(
+        raise Misuse(
             f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100"
         ) from None
     within, colon, plain = name.partition(":")
     kind = named(name) if not colon else None
     number, kind = (kind.SET, kind) if kind else _field(within, plain)
     if not issubclass(kind, Data):
-        raise Failure(f"{kind.NAME} is not a data field; only data is streamed")
+        raise Misuse(f"{kind.NAME} is not a data field; only data is streamed")
     size = size_of(kind, elements)
     if size is None:
-        raise Failure(f"the size of {kind.NAME} varies; it cannot be computed")
+        raise Misuse(f"the size of {kind.NAME} varies; it cannot be computed")
     return Stream(number, kind.NAME, size, hz)
 
 
@@ -193,10 +193,10 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
     """A field of a set, which may be a shared one."""
     number, descriptor = keys(within)[0]
     if descriptor is not None or number < 0x80:
-        raise Failure(f"'{within}' is not a data set; write SET:NAME@HZ")
+        raise Misuse(f"'{within}' is not a data set; write SET:NAME@HZ")
     known = [kind for kind in fields(name) if kind.SET in (number, 0xFF)]
     if not known:
-        raise Failure(f"{within} has no field '{name}'")
+        raise Misuse(f"{within} has no field '{name}'")
     return number, known[0]
 
 

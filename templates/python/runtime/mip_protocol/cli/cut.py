@@ -9,7 +9,7 @@ from contextlib import ExitStack
 from datetime import datetime, timezone
 from typing import NamedTuple
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..packet import Packet, PacketBuilder
 from . import clocks, inputs, outputs
 from .arguments import add_selection
@@ -79,7 +79,10 @@ def _range(text: str) -> _Range:
     found = re.fullmatch(r"(\d*):(\d*)", text, re.ASCII)
     if found is None or text == ":":
         raise argparse.ArgumentTypeError(f"'{text}' is not a range; write 100:200, 100: or :200")
-    return _Range(int(found[1] or 0), int(found[2]) if found[2] else None)
+    wanted = _Range(int(found[1] or 0), int(found[2]) if found[2] else None)
+    if wanted.end is not None and wanted.first > wanted.end:
+        raise argparse.ArgumentTypeError(f"'{text}' begins after its end")
+    return wanted
 
 
 def _when(text: str) -> When:
@@ -101,6 +104,10 @@ def _when(text: str) -> When:
 
 def run(options: argparse.Namespace) -> int:
     selection = Selection(options.only, options.without)
+    outputs.refuse_input(options.output, options.file)
+    begin, end = options.begin, options.end
+    if begin and end and begin.absolute == end.absolute and begin.time > end.time:
+        raise Misuse("--begin is after --end")
     packets = size = 0
     with ExitStack() as stack:
         name = options.file
@@ -113,7 +120,9 @@ def run(options: argparse.Namespace) -> int:
             out.write(data)
             size += len(data)
             packets += is_packet
-    outputs.note(f"{packets} packets, {inputs.readable(size)}")
+        if not size:
+            raise Failure(f"the part has no packets; {options.file} {bounds.known()}")
+    outputs.note(f"{inputs.counted(packets, 'packet')}, {inputs.readable(size)}")
     return 0
 
 
@@ -125,9 +134,24 @@ class _Bounds:
         self.packets: _Range = options.packets or _Range(0, None)
         self._begin: When | None = options.begin
         self._end: When | None = options.end
-        self._clock = _clock(options, name) if timed else None
+        self._dates = any(w is not None and w.absolute for w in (self._begin, self._end))
+        self._clock = _clock(options.file, name, self._dates) if timed else None
         self._start: int | None = None
         self._now: int | None = None
+        self.read = 0  # packets
+        self.found = 0  # those that are within
+        self.stopped = False  # before the end of the log
+
+    def known(self) -> str:
+        """What helps where nothing was found."""
+        if self.found:
+            return "has other fields there; `mip info` lists them"
+        if self._now is None or self._start is None or self.stopped:
+            return f"has {inputs.counted(self.read, 'packet')}{' up to there' * self.stopped}"
+        begin = ""
+        if self._dates:
+            begin = f"begins at {clocks.stamp(self._clock or '', self._start, 2)} and "
+        return f"{begin}lasts {(self._now - self._start) / clocks.SECOND:.2f} s"
 
     def has(self, packet: Packet) -> bool:
         """By time; packets come in the order of the log."""
@@ -148,13 +172,12 @@ class _Bounds:
         return self._now - (0 if when.absolute else self._start) >= when.time
 
 
-def _clock(options: argparse.Namespace, name: str) -> str:
+def _clock(file: str, name: str, dates: bool) -> str:
     found = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
     if found is None:
-        raise Failure(f"{options.file} has no valid times; use --packets or --bytes")
-    absolute = any(w is not None and w.absolute for w in (options.begin, options.end))
-    if absolute and not clocks.dated(found):
-        raise Failure(f"{options.file} has no dates; use seconds from the start")
+        raise Failure(f"{file} has no valid times; use --packets or --bytes")
+    if dates and not clocks.dated(found):
+        raise Failure(f"{file} has no dates; use seconds from the start")
     return found
 
 
@@ -165,6 +188,7 @@ def _kept(
     within = False
     for piece in inputs.pieces(name):
         if bounds.bytes.past(piece.offset) or bounds.packets.past(number):
+            bounds.stopped = True
             return
         if piece.packet is None:
             if keep_skipped and (within or (number == 0 and bounds.bytes.has(piece.offset))):
@@ -173,6 +197,8 @@ def _kept(
         within = bounds.bytes.has(piece.offset) and bounds.packets.has(number)
         within = bounds.has(piece.packet) and within
         number += 1
+        bounds.read = number
+        bounds.found += within
         if within and (data := _reduced(piece.packet, selection)):
             yield data, True
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Iterator
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from . import inputs, ports, show
 from .arguments import add_device, add_selection, device_id, positive
 from .scan import Piece, Scanner
@@ -52,7 +53,10 @@ def run(options: argparse.Namespace) -> int:
     explain = given is not None and not inputs.exists(options.input[0])
     as_tree = options.tree or (explain and not options.line)
     between = options.skipped or explain
+    if not explain:
+        _check(options.input)
     shown = packets = bytes_skipped = 0
+    damage = ""
     for name in options.input if not explain else [""]:
         live = not explain and inputs.is_port(name)
         source = (
@@ -65,6 +69,7 @@ def run(options: argparse.Namespace) -> int:
         for piece in source:
             if piece.packet is None:
                 bytes_skipped += len(piece.data)
+                damage = damage or show.damage(piece.data)
                 if between:
                     print(f"{piece.offset:08x} {show.skipped(piece.data)}", flush=live)
                 continue
@@ -83,10 +88,24 @@ def run(options: argparse.Namespace) -> int:
             if options.count is not None and shown >= options.count:
                 return 0
     if not packets:
-        raise Failure(f"no packet in {bytes_skipped} bytes; packets begin with 75 65")
+        count = inputs.counted(bytes_skipped, "byte")
+        raise Failure(f"no packet in {count}: {damage or 'packets begin with 75 65'}")
     if not shown:
-        print(f"mip dump: {packets} packets, none with these fields", file=sys.stderr)
+        print(
+            f"mip dump: {inputs.counted(packets, 'packet')}, none with these fields",
+            file=sys.stderr,
+        )
     return 0
+
+
+def _check(given: list[str]) -> None:
+    """Raises Misuse if these are bytes in hexadecimal with a mistake, and not names of files."""
+    words = [w for text in given for w in re.split(r"[\s,:]+", text) if w]
+    bad = [w for w in words if not re.fullmatch(r"(?i)(?:0x)?(?:[0-9a-f]{2})+", w)]
+    if bad and len(words) > 2 * len(bad) + 1 and not any(map(inputs.exists, given)):
+        raise Misuse(f"'{bad[0]}' is not a byte in hexadecimal, which has two digits")
+    if len(bad) == len(words) == 1 and re.fullmatch(r"(?i)7565[0-9a-f]+", bad[0]):
+        raise Misuse("an odd number of hexadecimal digits; two make a byte")
 
 
 def _given(data: bytes) -> Iterator[Piece]:

@@ -65,7 +65,7 @@ class Job:
             if self._form == "csv":
                 write_csv(out, types, self._kept(rows), self._time, self._options, self._aligned)
             else:
-                write_jsonl(out, self._kept(rows), self._time, self._options)
+                write_jsonl(out, types, self._kept(rows), self._time, self._options, self._aligned)
 
     def _kept(self, packets: Iterator[list[Sample]]) -> Iterator[list[Sample]]:
         """Without fields of which a value is not valid, if these are to be dropped."""
@@ -213,27 +213,32 @@ def quoted(text: str) -> str:
 
 def write_jsonl(
     out: IO[bytes],
+    types: Sequence[type[Field]],
     packets: Iterator[list[Sample]],
     time: Callable[[int | None], str | None] | None,
     options: argparse.Namespace,
+    aligned: type[Field] | None,
 ) -> None:
-    """A line for each field."""
-    known: dict[type[Field], list[Column]] = {}
+    """A line for each field; with `aligned`, for each field of that type with the last of the others."""
+    known = {kind: columns(kind) for kind in types} if options.invalid == "mask" else {}
+    last: dict[str, Any] = {kind.NAME: None for kind in types}
     for packet in packets:
-        for sample in packet:
+        # That to align with comes last in its packet, behind what is new of the others.
+        for sample in sorted(packet, key=lambda s: type(s.value) is aligned):
             kind = type(sample.value)
+            held = values.plain(sample.value, options.named)
+            if kind in known:
+                _mask(held, known[kind], sample.value)
+            last[kind.NAME] = held = _strict(held)
+            if aligned not in (None, kind):
+                continue
             found: dict[str, Any] = {}
             if time is not None:
                 said = time(sample.time)
                 found["time"] = said if said is None or said.endswith("Z") else float(said)
                 found["time_own"] = sample.own
-            found |= {"packet": sample.packet, "offset": sample.offset, "field": kind.NAME}
-            held = values.plain(sample.value, options.named)
-            if options.invalid == "mask":
-                if kind not in known:
-                    known[kind] = columns(kind)
-                _mask(held, known[kind], sample.value)
-            found["values"] = _strict(held)
+            found |= {"packet": sample.packet, "offset": sample.offset}
+            found |= {"field": kind.NAME, "values": held} if aligned is None else {"fields": last}
             out.write(json.dumps(found, separators=(",", ":"), allow_nan=False).encode() + b"\n")
 
 

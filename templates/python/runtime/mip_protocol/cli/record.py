@@ -19,8 +19,8 @@ examples:
   mip record /dev/ttyACM0 -o - | mip dump -
 
 Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut`
-removes them. The file gets its name when the recording ends, also by Ctrl-C; until then it
-is FILE.NUMBER.part.
+removes them. The file gets its name when the recording ends, also by Ctrl-C; until then, and if
+the program is killed, it is FILE.NUMBER.part.
 """
 
 
@@ -37,10 +37,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add("--duration", type=seconds, metavar="S", help="end after S seconds")
     add("--packets", type=positive, metavar="N", help="end after N packets")
+    add("--force", action="store_true", help="replace an older recording, if anything is received")
     ports.add_arguments(parser)
 
 
 def run(options: argparse.Namespace) -> int:
+    old = options.output != "-" and outputs.holds_bytes(options.output)
+    if old and not options.force:
+        raise Failure(f"{options.output} exists; name another file, or replace it with --force")
     recording = _Recording(options)
     closed = False
     with ports.stopping(), outputs.whole(options.output, keep=True) as out:
@@ -52,6 +56,10 @@ def run(options: argparse.Namespace) -> int:
             closed = True
         finally:
             recording.clear()
+        if not recording.size:
+            what = "was closed before it sent anything" if closed else "has sent nothing"
+            kept = f"; {options.output} is as it was" if old else ""
+            raise Failure(f"{options.port} {what}{kept}")
     outputs.note(recording.status())
     if closed:
         raise Failure(

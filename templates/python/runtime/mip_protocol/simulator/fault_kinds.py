@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from ..errors import Failure
+from ..errors import Misuse
 
 
 @dataclass(frozen=True)
@@ -84,21 +84,21 @@ def plan(
     if known is None:
         near = difflib.get_close_matches(kind, KINDS, 1)
         hint = f"do you mean {near[0]!r}? " if near else ""
-        raise Failure(f"fault {kind!r} is unknown; {hint}known are: {', '.join(KINDS)}")
+        raise Misuse(f"fault {kind!r} is unknown; {hint}known are: {', '.join(KINDS)}")
     if not 0 <= rate <= 1:
-        raise Failure(f"fault {kind}: rate {rate:g} is not a probability; use 0 to 1")
+        raise Misuse(f"fault {kind}: rate {rate:g} is not a probability; use 0 to 1")
     if amount is not None and not known.unit:
-        raise Failure(f"fault {kind} has no amount; write {kind}={rate:g}")
+        raise Misuse(f"fault {kind} has no amount; write {kind}={rate:g}")
     if (
         amount is not None
         and not (0 < amount <= 1e6)
         or (amount and known.unit == "bytes" and amount < 1)
     ):
         least = "at least 1 byte" if known.unit == "bytes" else "above 0 s"
-        raise Failure(f"fault {kind}: amount {amount:g} must be {least}, and at most 1e6")
+        raise Misuse(f"fault {kind}: amount {amount:g} must be {least}, and at most 1e6")
     numbers = frozenset(places)
     if any(n < 1 for n in numbers):
-        raise Failure(f"fault {kind}: the first place is {kind}@1")
+        raise Misuse(f"fault {kind}: the first place is {kind}@1")
     return Plan(rate, known.amount if amount is None else amount, numbers)
 
 
@@ -120,7 +120,7 @@ def parse_faults(text: str) -> dict[str, Plan]:
     for part in filter(None, (p.strip() for p in text.split(","))):
         match = _PART.match(part)
         if match is None:
-            raise Failure(
+            raise Misuse(
                 f"fault {part!r} cannot be read; write KIND=RATE, KIND=RATE:AMOUNT or KIND@N"
             )
         kind, place = match["kind"], match["place"]
@@ -139,7 +139,7 @@ def _number(text: str, part: str) -> float:
     try:
         return float(text)
     except ValueError:
-        raise Failure(f"fault {part!r}: {text!r} is not a number") from None
+        raise Misuse(f"fault {part!r}: {text!r} is not a number") from None
 
 
 def table() -> str:

@@ -111,7 +111,7 @@ class MissingExtra(ImportError):
     """A package that belongs to an extra of this package is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
-        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'", name=package)
+        super().__init__(f"{package} is missing; pip install {package}", name=package)
         self.args = (package, extra)
 
 
@@ -121,3 +121,10 @@ class Failure(Exception):
     def __init__(self, text: str, status: int = 1) -> None:
         super().__init__(text)
         self.status = status
+
+
+class Misuse(Failure):
+    """A command line that is wrong: an unknown name, a value that cannot be."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text, 2)

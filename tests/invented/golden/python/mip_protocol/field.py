@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
-from .codec import vector
+from .codec import typed, vector
 from .described import Described, help_of
 from .errors import DecodeError, EncodeError
 from .packet import Packet, PacketBuilder, RawField
@@ -157,7 +157,10 @@ class Field(Structure):
 
     def encode(self) -> bytes:
         """The data of the field, without its length and descriptor. Raises EncodeError."""
-        return self._write()
+        try:
+            return self._write()
+        except EncodeError as error:
+            raise typed(self, error) from None
 
     @classmethod
     def decode(cls: type[F], data: bytes) -> F:

@@ -70,6 +70,8 @@ class Packet:
 
     def __init__(self, data: bytes) -> None:
         """Raises PacketError of kind `sync`, `length` or `checksum`."""
+        if isinstance(data, str):
+            raise TypeError(f"needs bytes, not text; write Packet(bytes.fromhex({data!r}))")
         if data[:2] != SYNC:
             raise PacketError("sync", f"begins with {data[:2].hex() or 'nothing'}, not with 7565")
         if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] == 0:

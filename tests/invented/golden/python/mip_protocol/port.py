@@ -84,6 +84,8 @@ def open_url(url: str, baud: int) -> Any:
     Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
     pyserial, which TCP connections do not need.
     """
+    if not isinstance(baud, int):
+        raise TypeError(f"baud rate {baud!r}: needs a whole number, as in 115200")
     if baud < 1:
         raise ValueError(f"baud rate {baud}: at least 1")
     host = address(url)

@@ -8,7 +8,7 @@ import re
 from contextlib import ExitStack
 from typing import Any
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..field import Field
 from . import inputs, outputs
 from .arguments import add_selection
@@ -33,8 +33,9 @@ examples:
   mip export log.bin sensor filter_data -o log.parquet --align sensor.scaled_accel
   mip export log.bin --format jsonl -o - | jq .
 
-csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field. npz needs
-NumPy, parquet and arrow (the file format of Feather) need pyarrow.
+csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field; with
+--align, a line has all fields. npz needs NumPy, parquet and arrow (the file format of Feather) need
+pyarrow.
 
 time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start` in seconds since
 the first packet, `clock` in seconds of the first clock that the log has: gps, external, reference.
@@ -47,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("file", metavar="FILE", help="a log; - for standard input")
-    add("names", nargs="*", metavar="NAME", help="these fields or sets only")
+    add("names", nargs="*", default=[], metavar="NAME", help="these fields or sets only")
     add(
         "-o",
         "--output",
@@ -77,9 +78,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     form = options.format or _by_ending(options.output)
     if options.split and options.output == "-":
-        raise Failure("--split writes several files; name one with -o, and fields are added to it")
+        raise Misuse("--split writes several files; name one with -o, and fields are added to it")
     if options.split and options.align:
-        raise Failure("--split and --align cannot be combined; leave one out")
+        raise Misuse("--split and --align cannot be combined; leave one out")
     selection = Selection([*options.names, *options.only], options.without)
     aligned = _one_type(options.align) if options.align else None
     module: Any = __import__(f"{__package__}.{FORMATS[form]}", fromlist=["write"])
@@ -90,8 +91,13 @@ def run(options: argparse.Namespace) -> int:
         if not job.types:
             raise Failure(f"{options.file} has none of these fields; `mip info` lists those it has")
         if aligned is not None and aligned not in job.types:
+            if not selection.has(aligned.SET, aligned.DESCRIPTOR):
+                raise Misuse(f"{aligned.NAME} is not exported; name it, too, to align with it")
             raise Failure(f"{options.file} has no {aligned.NAME} to align with")
-        for path, types in _files(options, job.types):
+        files = _files(options, job.types)
+        for path, _ in files:
+            outputs.refuse_input(path, options.file)
+        for path, types in files:
             job.write(path, types)
             outputs.note(f"{path}: {', '.join(t.NAME for t in types)}")
     return 0
@@ -102,7 +108,7 @@ def _by_ending(output: str) -> str:
     other = {"json": "jsonl", "ndjson": "jsonl", "pq": "parquet", "feather": "arrow", "": "csv"}
     form = other.get(ending, ending)
     if form not in FORMATS:
-        raise Failure(f"what format is '{ending}'? use --format {', '.join(FORMATS)}")
+        raise Misuse(f"what format is '{ending}'? use --format {', '.join(FORMATS)}")
     return form
 
 

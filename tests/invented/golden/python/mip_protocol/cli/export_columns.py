@@ -8,7 +8,7 @@ from contextlib import ExitStack
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ..errors import Failure, MissingExtra
+from ..errors import Failure, MissingExtra, Misuse
 from ..field import Field
 from . import clocks, inputs, outputs
 from .selection import Selection
@@ -46,7 +46,7 @@ class Job:
         aligned: type[Field] | None,
     ) -> None:
         if options.named:
-            raise Failure("--names is for csv and jsonl; tables of numbers name their types")
+            raise Misuse("--names is for csv and jsonl; tables of numbers name their types")
         self._name, self._form, self._options, self._aligned = name, form, options, aligned
         self._selection = selection
         self.types, clock = survey(name, selection)
@@ -55,7 +55,7 @@ class Job:
             raise Failure("the log has no dates; use --time clock, --time start or --time none")
         self._first: int | None = None
         if form == "npz" and aligned is not None:
-            raise Failure("--align is for csv, parquet and arrow")
+            raise Misuse("--align is for csv, jsonl, parquet and arrow")
 
     def write(self, path: str, types: Sequence[type[Field]]) -> None:
         """Writes fields of these types into a file."""

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import json
+import re
 import shutil
 import textwrap
 from collections.abc import Iterable
 from typing import Any
 
 from .. import registry
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..field import Command, Field, Response, Structure
 from ..info import EnumInfo
 from ..parameter import Parameter
@@ -68,7 +70,7 @@ def _chosen(options: argparse.Namespace) -> list[tuple[int, type[Field]]]:
             named = fields(options.name)
             found = [k for k in found if k[1] in named]
         if not found:
-            raise Failure(f"the specification has no {options.name}; `mip fields` lists the sets")
+            raise Misuse(f"the specification has no {options.name}; `mip fields` lists the sets")
     if options.device is not None:
         from ..simulator.profiles import device_named
 
@@ -77,8 +79,23 @@ def _chosen(options: argparse.Namespace) -> list[tuple[int, type[Field]]]:
     if options.search is not None:
         found = [k for k in found if options.search.lower() in _searched(k[1])]
     if not found:
-        raise Failure("no field matches all words; use fewer")
+        raise Failure(_nothing(options))
     return found
+
+
+def _nothing(options: argparse.Namespace) -> str:
+    """Why no field is found, and what may be meant."""
+    if options.search is None or options.name is not None or options.device is not None:
+        return "no field matches all words; use fewer"
+    words = {word for _, k in registry.all_types() for word in re.split(r"[._]", k.NAME)}
+    close = difflib.get_close_matches(options.search.lower(), sorted(words), 3)
+    remedy = f"did you mean {' or '.join(close)}?" if close else "`mip fields` lists the sets"
+    return f"no field has '{options.search}' in its name or description; {remedy}"
+
+
+def has_words(text: str) -> bool:
+    """Does a search find any field?"""
+    return any(text.lower() in _searched(kind) for _, kind in registry.all_types())
 
 
 def _supports(profile: Any, number: int, kind: type[Field]) -> bool:

@@ -192,6 +192,11 @@ def readable(size: float) -> str:
     raise AssertionError
 
 
+def counted(number: int, what: str) -> str:
+    """A number of things: `1 byte`, `2 bytes`."""
+    return f"{number} {what}{'s' * (number != 1)}"
+
+
 def existing(name: str) -> Path:
     """A file that can be read. Raises Failure."""
     path = Path(name)
@@ -208,6 +213,7 @@ __all__ = [
     "Progress",
     "as_columns",
     "chunks",
+    "counted",
     "existing",
     "exists",
     "hex_bytes",

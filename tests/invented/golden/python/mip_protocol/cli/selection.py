@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 
 from .. import registry
-from ..errors import Failure, UnknownName
+from ..errors import Misuse, UnknownName
 from ..field import Field
 
 _NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
@@ -21,7 +21,7 @@ def keys(name: str) -> list[Key]:
     if numbers is not None:
         set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())
         if set is None or set > 255 or (descriptor or 0) > 255:
-            raise Failure(f"'{name}' has a number above 255; use 0 to 255")
+            raise Misuse(f"'{name}' has a number above 255; use 0 to 255")
         return [(set, descriptor)]
     try:
         return [(registry.set_by_name(name), None)]
@@ -35,21 +35,37 @@ def fields(name: str) -> list[type[Field]]:
     if numbers is not None and numbers[2]:
         found = registry.types(int(numbers[1], 0), int(numbers[2], 0))
         if not found:
-            raise Failure(f"{name} is not a field; `mip fields` lists them")
+            raise Misuse(f"{name} is not a field; `mip fields` lists them")
         return list(found)
     try:
         return [registry.by_name(name)]
     except UnknownName as error:
         if error.kind == "ambiguous":
             return [registry.by_name(near) for near in error.near]
-        raise Failure(f"{error}; `mip fields --search {name}` finds more") from None
+        from .fields import has_words
+
+        more = f"`mip fields --search {name}` finds more"
+        raise Misuse(
+            f"{error}; {more if has_words(name) else '`mip fields` lists the sets'}"
+        ) from None
+
+
+def near(name: str) -> str:
+    """The names of sets and fields that may be meant; empty if there are none."""
+    for find in (registry.set_by_name, registry.by_name):
+        try:
+            find(name)
+        except UnknownName as error:
+            if "did you mean" in error.detail:
+                return " or ".join(error.near)
+    return ""
 
 
 def field(name: str) -> type[Field]:
     """The one field of this name. Raises Failure if several sets have one."""
     found = fields(name)
     if len(found) > 1:
-        raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
     return found[0]
 
 
@@ -96,4 +112,4 @@ def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
     return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)
 
 
-__all__ = ["Key", "Selection", "field", "fields", "keys"]
+__all__ = ["Key", "Selection", "field", "fields", "keys", "near"]

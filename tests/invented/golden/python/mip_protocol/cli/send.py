@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from .. import Answer, TimedOut
-from ..errors import Failure, MipError
+from ..errors import Failure, MipError, Misuse
 from ..field import Command
 from . import ports, show, typed, values
 from .arguments import add_device, device_id, seconds
@@ -39,9 +39,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
     add = parser.add_argument
     add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
-    add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
+    command = add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
+    command.required = True  # so that it is said to be, but with --hex there is no port before it
     add("function", metavar="FUNCTION", nargs="?", help="write, read, save, load or default")
-    add("values", metavar="VALUE", nargs="*", help="values in order, or NAME=VALUE")
+    add("values", metavar="VALUE", nargs="*", default=[], help="values in order, or NAME=VALUE")
     add("--hex", action="store_true", help="print the bytes of the packet, send nothing")
     add(
         "--timeout", type=seconds, metavar="S", help="seconds to wait (default: 1, or as specified)"
@@ -71,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
     if options.hex:
         words = [options.port, *words]
     if not words:
-        raise Failure("which command? `mip fields` lists them", 2)
+        raise Misuse("which command? `mip fields` lists them")
     command = typed.command(_kind(words[0]), words[1:])
     device = device_id(options.device and _bare(options.device))
     if options.hex:
@@ -123,7 +124,7 @@ def _print(
 def _kind(name: str) -> type[Command]:
     found = [kind for kind in fields(name) if issubclass(kind, Command)]
     if not found:
-        raise Failure(f"{name} is not a command; `mip fields --search {name}` finds others")
+        raise Misuse(f"{name} is not a command; `mip fields --search {name}` finds others")
     if len(found) > 1:
-        raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
     return found[0]

@@ -9,10 +9,11 @@ from .._index import SETS
 from ..described import Described
 from ..errors import PacketError
 from ..field import Structure
-from ..packet import SYNC, Packet
+from ..packet import OVERHEAD, SYNC, Packet
 from ..reflection import items
 from ..text import meant
 from .decoding import Found, decoded, malformed, name_of, raw_fields
+from .inputs import counted
 from .selection import Selection
 
 
@@ -66,7 +67,9 @@ def inside(found: Found, device: str | None) -> str:
         label = "" if item.parameter.name == own else f"{item.parameter.name}="
         parts.append(f"{label}{item.text}{'' if item.valid else ' (invalid)'}")
     if found.trailing:
-        parts.append(f"and {found.trailing} more bytes: {found.raw.data[-found.trailing :].hex()}")
+        parts.append(
+            f"and {counted(found.trailing, 'more byte')}: {found.raw.data[-found.trailing :].hex()}"
+        )
     one = len(parts) == 1 and parts[0].startswith("(")
     return parts[0] if one else f"({', '.join(parts)})"
 
@@ -103,7 +106,8 @@ def branch(found: Found, device: str | None) -> Iterator[str]:
         return
     yield from (f"  {text}" for text in leaves(found.value, device))
     if found.trailing:
-        yield f"  and {found.trailing} bytes that are not known: {spaced(raw.data[-found.trailing :])}"
+        more = counted(found.trailing, "more byte")
+        yield f"  and {more}: {spaced(raw.data[-found.trailing :])}"
 
 
 def leaves(value: Described, device: str | None) -> Iterator[str]:
@@ -130,19 +134,25 @@ def leaves(value: Described, device: str | None) -> Iterator[str]:
 
 def skipped(data: bytes) -> str:
     """Bytes outside packets, and the reason, if they look like a packet."""
-    count = f"{len(data)} byte{'s' * (len(data) != 1)} outside packets"
+    reason = damage(data)
+    return f"{counted(len(data), 'byte')} outside packets{', ' * bool(reason)}{reason}: {_as_text(data)}"
+
+
+def damage(data: bytes) -> str:
+    """What is wrong with bytes that look like a packet; empty if they do not."""
     at = data.find(SYNC)
-    if at < 0 or len(data) - at < 6:
-        return f"{count}: {_as_text(data)}"
-    size = data[at + 3] + 6
+    if at < 0 or len(data) - at < 4:
+        return ""
+    size = data[at + 3] + OVERHEAD
+    missing = size - (len(data) - at)
+    if missing > 0:
+        are = "is" if missing == 1 else "are"
+        return f"{counted(missing, 'byte')} {are} missing at the end of a packet"
     try:
         Packet(data[at : at + size])
-        reason = ""
     except PacketError as error:
-        reason = f", checksum {error.detail}" if error.kind == "checksum" else f", {error.detail}"
-        if len(data) - at < size:
-            reason = f", {size - len(data) + at} bytes are missing at the end of a packet"
-    return f"{count}{reason}: {_as_text(data)}"
+        return f"checksum {error.detail}" if error.kind == "checksum" else error.detail
+    return ""
 
 
 def _as_text(data: bytes) -> str:
@@ -153,6 +163,7 @@ def _as_text(data: bytes) -> str:
 
 __all__ = [
     "branch",
+    "damage",
     "inside",
     "leaves",
     "line",

@@ -107,7 +107,8 @@ def _masked(column: Array, values: Sequence[Any]) -> Array:
         return column
     mask = np.array([v is None for v in values], bool).reshape(-1, *[1] * (column.ndim - 1))
     whole = np.broadcast_to(mask, column.shape)
-    masked: Array = np.ma.MaskedArray(column, whole)  # type: ignore[no-untyped-call]
+    make: Any = np.ma.MaskedArray  # not typed in all versions
+    masked: Array = make(column, whole)
     return masked
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from ..errors import Failure
+from ..errors import Failure, Misuse
 
 fcntl: Any
 termios: Any
@@ -48,7 +48,7 @@ def tcp_at(text: str, port: str | None = None) -> Endpoint:
     """From "5000", "localhost:5000" or "[::1]:5000"; 0 lets the system choose. Raises Failure."""
     host, _, digits = text.rpartition(":")
     if not (digits.isascii() and digits.isdigit()) or int(digits) > 65535:
-        raise Failure(
+        raise Misuse(
             f"'{text}' is not a TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
         )
     return Endpoint("tcp", host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
@@ -70,6 +70,9 @@ class Pty:
         # The slave stays open: without it, a client that leaves ends the terminal.
         tty.setraw(self._slave)
         os.set_blocking(self._master, False)
+        # Packet mode: a byte before what is read tells when a client discards what it has not read.
+        fcntl.ioctl(self._master, termios.TIOCPKT, array("i", [1]))
+        self._flushed = self._full = False
         self.name = os.ttyname(self._slave)
         try:
             self._make_link()
@@ -109,10 +112,30 @@ class Pty:
         return str(self._path or self.name)
 
     def read(self) -> bytes:
-        return os.read(self._master, 4096)
+        data = os.read(self._master, 4097)
+        if data[:1] > b"\0":  # an event, no data
+            self._flushed |= bool(data[0] & termios.TIOCPKT_FLUSHREAD)
+            raise BlockingIOError
+        return data[1:]
+
+    def flushed(self) -> bool:
+        """Has a client discarded what it has not read, while there was no room for more? Since the last call.
+
+        Most do when they open a terminal.
+        """
+        events = select.poll()
+        events.register(self._master, select.POLLPRI)
+        if events.poll(0):
+            with suppress(BlockingIOError):
+                self.read()
+        found, self._flushed = self._flushed and self._full, False
+        return found
 
     def write(self, data: bytes | memoryview) -> int:
-        return os.write(self._master, data)
+        self._full = True
+        done = os.write(self._master, data)
+        self._full = False
+        return done
 
     @property
     def speed(self) -> int | None:
@@ -180,6 +203,9 @@ class Client:
 
     speed: int | None = None  # a connection has none
     unread = 0  # the system delivers what was sent
+
+    def flushed(self) -> bool:
+        return False
 
     def set_speed(self, baud: int) -> None:
         pass
