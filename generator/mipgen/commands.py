@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from argparse import Namespace
 from collections.abc import Iterator
@@ -45,12 +46,14 @@ def generate(options: Namespace) -> int:
         print(known["summary"])
         rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
     else:
-        from . import build, render
+        from . import build
 
+        _apart(options, sources)
         model, summary = _load(options)
         outputs = build.make(model, sources)
+        changes = _write(options, outputs)
         print(summary)
-        rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
+        rows = [(o.name, o.title, len(o.files), changed) for o, changed in zip(outputs, changes, strict=True)]
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
@@ -87,6 +90,46 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     part = repr([getattr(options, name, ()) for name in PARTS])
     names = (source.name for source in sources)
     return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
+
+
+def _apart(options: Namespace, sources: list[Source]) -> None:
+    """Raises Failure if output would lie in a folder that is read, or such a folder in the output."""
+    made = {options.out / source.name: _real(options.out / source.name) for source in sources}
+    read = [("--spec", path) for path in _specs(options)] + [("--target-path", path) for path in options.target_path]
+    for option, path in read:
+        for folder in (path, *sorted(p for p in path.glob("*") if p.is_dir())):  # any of them may be a link
+            real = _real(folder)
+            for place, target in made.items():
+                if target.is_relative_to(real):
+                    raise Failure(f"{place} lies in {folder}, which {option} names; choose another --out")
+                if real.is_relative_to(target):
+                    raise Failure(f"{folder}, which {option} names, lies in {place}; choose another --out")
+
+
+def _real(path: Path) -> Path:
+    return Path(os.path.realpath(path))  # unlike Path.resolve, it does not raise where links are a circle
+
+
+def _write(options: Namespace, outputs: list[Output]) -> list[int]:
+    """Writes all files; the number of changed ones for each target. Files of a user are kept."""
+    from . import render
+
+    try:
+        foreign = [options.out / o.name / p for o in outputs for p in render.foreign(o.files, options.out / o.name)]
+        if not foreign:
+            return [len(render.write(o.files, options.out / o.name)) for o in outputs]
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
+    listed = "".join(f"\n  {path}" for path in foreign)
+    raise Failure(
+        "mipgen did not write these files, which its own would replace; "
+        f"move or delete them, or choose another --out:{listed}",
+        str(options.out),
+    )
+
+
+def _reason(error: OSError) -> str:
+    return f"{error.strerror} ({error.filename})" if error.filename else str(error.strerror or error)
 
 
 def _specs(options: Namespace) -> list[Path]:
@@ -215,12 +258,15 @@ def audit(options: Namespace) -> int:
 def new(options: Namespace) -> int:
     """Writes a specification that validates; into an empty or new folder."""
     folder: Path = options.folder
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise Failure("this folder is not empty; name a new or empty folder", str(folder))
     schemas = resources.root() / "spec/schema"
-    for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_bytes(file.read_bytes())
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise Failure("this folder is not empty; name a new or empty folder", str(folder))
+        for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_bytes(file.read_bytes())
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
     named = "" if folder == Path("spec") else f" --spec {folder}"
     print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
     return 0
