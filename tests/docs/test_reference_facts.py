@@ -57,6 +57,17 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
         assert rest[: len(wanted)] == wanted, f.full_name
 
 
+def test_layouts_of_other_devices_are_not_listed() -> None:
+    """A layout is sent by the devices that have it, on its page and on theirs."""
+    manual = manual_of("real")
+    gq4 = manual.model.field("3dm.device_status_diagnostic_gq4_45_response")
+    assert gq4 is not None
+    assert "Supported by 3DM-GQ4-45. Uncertain:" in words(manual.field(gq4))
+    page = manual.pages["docs/devices/3dm-gx5-15.md"]
+    (row,) = (line for line in page.splitlines() if "[Device Status]" in line and line.startswith("| `0x64`"))
+    assert re.findall(r"#3dm\.device_status_(\w+)_response", row) == ["basic", "diagnostic"]
+
+
 def test_sources_of_a_field(manual: Manual) -> None:
     """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
     for f in manual.fields:

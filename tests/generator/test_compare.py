@@ -61,6 +61,13 @@ PORT = "{name: port, type: u8, for: WRS"
             "compatible",
             "model-a: another profile",
         ),
+        (
+            TOOLS,
+            "{response: 0x82, ",
+            "{response: 0x82, devices: [spare], ",
+            "compatible",
+            "tools.settings_response: a layout of other devices",
+        ),
         ("protocol.yaml", "save: {value", "store: {value", "source", "function_selector.store: was called save"),
     ],
 )

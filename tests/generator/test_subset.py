@@ -94,8 +94,22 @@ def test_devices_narrow_sets() -> None:
     part = select(INVENTED, Selection(devices=("model-b",), sets=("tools",)))
     assert names(part) == {
         "tools.ping", "tools.settings", "tools.settings_response", "tools.status", "tools.status_short",
-        "tools.status_long", "tools.status_old", "tools.status_full",
+        "tools.status_long",
     }  # fmt: skip
+
+
+def test_a_device_has_its_own_layouts_of_a_response() -> None:
+    for devices, wanted in (
+        (("3dm-gq4-45",), ["basic", "diagnostic_gq4_45"]),
+        (("3dm-gx5-10", "3dm-gx5-15"), ["basic", "basic_without_state", "diagnostic", "diagnostic_imu"]),
+    ):
+        part = select(REAL, Selection(devices=devices))
+        whole(part)
+        found = [n.removeprefix("3dm.device_status_").removesuffix("_response") for n in names(part)
+                 if n.startswith("3dm.device_status_")]  # fmt: skip
+        assert sorted(found) == wanted
+        for r in part.responses(part.field("3dm.device_status")):  # type: ignore[arg-type]
+            assert set(r.devices) <= set(devices)
 
 
 def test_guides_of_a_device() -> None:
