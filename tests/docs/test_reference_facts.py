@@ -68,6 +68,16 @@ def test_layouts_of_other_devices_are_not_listed() -> None:
     assert re.findall(r"#3dm\.device_status_(\w+)_response", row) == ["basic", "diagnostic"]
 
 
+def test_fields_without_a_manual_mention_none() -> None:
+    """Repeated fields have the notes of another one, which may be in a manual."""
+    of = model("real")
+    kinds = {x.id: x.kind for x in of.protocol.manuals}
+    fields = [f for f in of.fields if {kinds[s.manual] for s in f.sources} == {"sdk"}]
+    assert {"glonass_ephemeris", "galileo_ephemeris"} <= {f.name for f in fields}
+    texts = [(f.full_name, text) for f in fields for text in (f.description, *f.notes)]
+    assert not [x for x in texts if "manual does not say" in x[1]]
+
+
 def test_sources_of_a_field(manual: Manual) -> None:
     """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
     for f in manual.fields:
