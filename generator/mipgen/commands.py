@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 from argparse import Namespace
 from collections.abc import Iterator
@@ -74,11 +75,21 @@ def check(options: Namespace) -> int:
     for output in outputs:
         for difference in render.compare(output.files, options.out / output.name):
             place = options.out / output.name / difference.path
-            print(f"{place}: error: {difference.what}; run 'mipgen generate'", file=sys.stderr)
+            print(f"{place}: error: {difference.what}", file=sys.stderr)
             found += 1
     if not found:
         print(f"{options.out} is up to date")
-    return 1 if found else 0
+        return 0
+    print(f"mipgen: {_count(found, 'file')} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
+    return 1
+
+
+def _given(options: Namespace) -> str:
+    """The options of a run, for a command that does the same."""
+    given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
+    given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
+    given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values)
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
@@ -158,13 +169,20 @@ def _load(options: Namespace) -> tuple[Model, str]:
 
 
 def _summary(model: Model) -> str:
-    from .model import RESPONSE
+    from .model import COMMAND, RESPONSE
 
     responses = sum(f.role == RESPONSE for f in model.fields)
+    commands = sum(f.role == COMMAND for f in model.fields)
+    data = len(model.fields) - responses - commands
     return (
-        f"{len(model.sets)} sets: {len(model.fields) - responses} commands and data fields, {responses} responses; "
-        f"{len(model.devices)} devices, {len(model.examples)} examples, {len(model.errata)} errata"
+        f"{_count(len(model.sets), 'set')}: {_count(commands, 'command')}, {_count(data, 'data field')}, "
+        f"{_count(responses, 'response')}; {_count(len(model.devices), 'device')}, "
+        f"{_count(len(model.examples), 'example')}, {_count(len(model.errata), 'erratum', 'errata')}"
     )
+
+
+def _count(number: int, one: str, several: str = "") -> str:
+    return f"{number} {one if number == 1 else several or one + 's'}"
 
 
 def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:

@@ -55,7 +55,25 @@ def _check(model: m.Model, selection: Selection) -> None:
     for what, (asked, names) in known.items():
         for name in asked:
             if name not in names:
-                raise Failure(f"unknown {what} '{name}'{nearest(name, names)}")
+                meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
+                near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
+                raise Failure(f"unknown {what} '{name}'{near}")
+
+
+def _meant(model: m.Model, word: str) -> list[str]:
+    """The devices that people call so: other names, a part of a name, the model number."""
+
+    def plain(name: str) -> str:
+        return "".join(c for c in name.casefold() if c.isalnum())
+
+    found = []
+    for d in model.devices:
+        names = [plain(name) for name in (d.id, d.title, *d.also)]
+        if plain(word) in (*names, str(d.model_number)):
+            return [d.id]
+        if plain(word) and any(plain(word) in name for name in names):
+            found.append(d.id)
+    return found
 
 
 def _asked(model: m.Model, selection: Selection) -> list[m.Field]:

@@ -50,6 +50,13 @@ def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
         assert gap == "#" and len(comment) > 20
 
 
+def test_the_summary_counts_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["new", str(tmp_path)]) == 0
+    capsys.readouterr()
+    assert cli.main(["validate", "--spec", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == ("2 sets: 1 command, 1 data field, 1 response; 1 device, 2 examples, 0 errata\n")
+
+
 def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     assert cli.main(["new", str(tmp_path / "spec")]) == 0
     assert mipgen("generate", cwd=tmp_path).returncode == 0

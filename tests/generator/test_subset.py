@@ -132,6 +132,11 @@ def test_what_was_left_out() -> None:
     ("selection", "message"),
     [
         (Selection(devices=("3dm-gx5_15",)), "unknown device '3dm-gx5_15', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("GX5-15",)), "unknown device 'GX5-15', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("3DM-GX5-AR",)), "unknown device '3DM-GX5-AR', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("6254",)), "unknown device '6254', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("RQ1",)), "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st'?"),
+        (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
     ],
