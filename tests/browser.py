@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import select
 import shutil
 import subprocess
 import tempfile
@@ -19,6 +20,9 @@ FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
     "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--remote-debugging-pipe",
 )  # fmt: skip
+
+#: Seconds; a test that waits for an event that was already there fails, and does not hang.
+PATIENCE = 120
 
 
 def installed() -> bool:
@@ -57,8 +61,8 @@ class Page:
 
 class Browser:
     def __init__(self, process: subprocess.Popen[bytes], reading: int, writing: int) -> None:
-        self.process, self.writing = process, writing
-        self.answers = os.fdopen(reading, "rb")
+        self.process, self.reading, self.writing = process, reading, writing
+        self.received = bytearray()
         self.last = 0
         self.page: Page | None = None
 
@@ -81,11 +85,14 @@ class Browser:
             pass
 
     def message(self) -> Any:
-        data = bytearray()
-        while (byte := self.answers.read(1)) != b"\0":
-            assert byte, f"chromium has ended with status {self.process.wait()}"
-            data += byte
-        message = json.loads(data)
+        while (end := self.received.find(b"\0")) < 0:
+            ready, _, _ = select.select([self.reading], [], [], PATIENCE)
+            assert ready, f"chromium has said nothing for {PATIENCE} seconds"
+            data = os.read(self.reading, 1 << 16)
+            assert data, f"chromium has ended with status {self.process.wait()}"
+            self.received += data
+        message = json.loads(self.received[:end])
+        del self.received[: end + 1]
         self.note(message)
         return message
 
@@ -124,7 +131,7 @@ def page() -> Iterator[Page]:
             browser.call("Browser.close")
         finally:
             os.close(to_browser[1])
-            browser.answers.close()
+            os.close(from_browser[0])
             try:
                 process.wait(10)
             except subprocess.TimeoutExpired:

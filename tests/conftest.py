@@ -28,10 +28,15 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all; it takes longest,
-    so it begins first."""
+    so it begins first. What needs random values of all fields of a specification is where they have been drawn."""
     for item in items:
+        spec = getattr(item, "callspec", None) and item.callspec.params.get("spec")
         if item.path.parent.name == "rust":
             item.add_marker(pytest.mark.xdist_group("cargo"))
+        elif spec and (item.path.parent.name == "conformance" or item.path.name == "test_c_print.py"):
+            item.add_marker(pytest.mark.xdist_group(f"values-{spec}"))
+        elif item.path.name == "test_columns.py":
+            item.add_marker(pytest.mark.xdist_group("columns"))
     items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
 
 

@@ -119,8 +119,19 @@ def _sized(op: m.Operation) -> bool:
     )
 
 
+#: What was drawn: several tests ask for the same, and drawing takes longer than most of them.
+_drawn: dict[tuple[int, int], tuple[m.Field, list[Values]]] = {}
+
+
 def drawn(f: m.Field, examples: int) -> list[Values]:
     """Values of a field, the same in every run."""
+    key = (id(f), examples)
+    if key not in _drawn:
+        _drawn[key] = (f, _draw(f, examples))
+    return _drawn[key][1]
+
+
+def _draw(f: m.Field, examples: int) -> list[Values]:
     found: list[Values] = []
 
     @relaxed(examples)

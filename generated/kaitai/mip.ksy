@@ -6499,7 +6499,7 @@ types:
         doc: What to do with the setting.
       - id: port
         type: u1
-        enum: system_comm_interface
+        enum: comm_interface
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: The port.
       - id: protocols_incoming
@@ -6530,7 +6530,7 @@ types:
     seq:
       - id: port
         type: u1
-        enum: system_comm_interface
+        enum: comm_interface
         doc: The port.
       - id: protocols_incoming
         type: system_comm_protocols
@@ -11595,6 +11595,28 @@ enums:
     4:
       id: glonass
       doc: GL.
+  comm_interface:
+    0:
+      id: all
+      doc: All ports.
+    1:
+      id: main
+      doc: "The main port: USB while it is connected, else the main UART."
+    17:
+      id: uart_1
+      doc: The first port that is a UART or can be one.
+    18:
+      id: uart_2
+      doc: The second UART.
+    19:
+      id: uart_3
+      doc: The third UART.
+    33:
+      id: usb_1
+      doc: First virtual serial port of USB.
+    34:
+      id: usb_2
+      doc: Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
   ack_code:
     0:
       id: ok
@@ -11991,28 +12013,6 @@ enums:
     3:
       id: time_of_arrival
       doc: Latency relative to the arrival of the command.
-  system_comm_interface:
-    0:
-      id: all
-      doc: All ports.
-    1:
-      id: main
-      doc: "The main port: USB while it is connected, else the main UART."
-    17:
-      id: uart_1
-      doc: The first port that is a UART or can be one.
-    18:
-      id: uart_2
-      doc: The second UART.
-    19:
-      id: uart_3
-      doc: The third UART.
-    33:
-      id: usb_1
-      doc: First virtual serial port of USB.
-    34:
-      id: usb_2
-      doc: Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
   system_protocol_mode:
     1:
       id: standard

@@ -105,6 +105,7 @@ F["gpio_pin_mode"] = {
 }
 E["nmea_message_id"] = { [1] = "gga", [2] = "gll", [3] = "gsv", [4] = "rmc", [5] = "vtg", [6] = "hdt", [7] = "zda", [8] = "gst", [129] = "msra", [130] = "msrr", }
 E["nmea_talker_id"] = { [0] = "ignored", [1] = "gnss", [2] = "gps", [3] = "galileo", [4] = "glonass", }
+E["comm_interface"] = { [0] = "all", [1] = "main", [17] = "uart_1", [18] = "uart_2", [19] = "uart_3", [33] = "usb_1", [34] = "usb_2", }
 F["rtk_status_flags"] = {
   { name = "modem_state", at = 0, size = 4, mask = 15, shift = 0, width = 4, doc = "State of the modem." },
   { name = "connection_type", at = 0, size = 4, mask = 240, shift = 4, width = 4, doc = "Kind of the cellular connection." },
@@ -241,7 +242,6 @@ F["aiding.llh_axis_flags"] = {
   { name = "longitude", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Longitude and its uncertainty." },
   { name = "height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height and its uncertainty." },
 }
-E["system.comm_interface"] = { [0] = "all", [1] = "main", [17] = "uart_1", [18] = "uart_2", [19] = "uart_3", [33] = "usb_1", [34] = "usb_2", }
 F["system.comm_protocols"] = {
   { name = "mip", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "MIP." },
   { name = "nmea", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "NMEA-0183." },
@@ -786,7 +786,7 @@ field(0x01, { descriptor = 0x09, name = "base.comm_speed", role = "command", tit
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = rows("base.comm_speed", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." }, } },
     }) })
 field(0x01, { descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
@@ -848,7 +848,7 @@ field(0x01, { descriptor = 0x89, name = "base.comm_speed_response", role = "resp
     doc = "", least = 5,
     always = 2,
     rows = rows("base.comm_speed_response", {
-      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only." },
+      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } },
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." },
     }) })
 field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
@@ -2772,7 +2772,7 @@ field(0x7F, { descriptor = 0x02, name = "system.interface_control", role = "comm
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = rows("system.interface_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["system.comm_interface"], doc = "The port." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
     }) })
@@ -2787,7 +2787,7 @@ field(0x7F, { descriptor = 0x82, name = "system.interface_control_response", rol
     doc = "", least = 9,
     always = 3,
     rows = rows("system.interface_control_response", {
-      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["system.comm_interface"], doc = "The port." },
+      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." },
       { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." },
       { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." },
     }) })

@@ -2,7 +2,8 @@
 
 A verdict for each field, type value and device, and one for all:
 
-same           nothing changed that a program could notice
+same           nothing changed that a program could notice, but perhaps the documentation or the simulated device:
+               a guide, a typical value, an example, an erratum
 compatible     something was added, or a text, range or default changed
 source         a program must be changed to build again: something was renamed or removed
 wire           the same bytes mean something else, or other bytes are sent
@@ -12,7 +13,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields, is_dataclass
 from typing import Any, Final, Literal
 
 from . import model as m
@@ -52,7 +53,13 @@ class Report:
 
 def compare(old: m.Model, new: m.Model) -> Report:
     changes = sorted(
-        {*_fields(old, new), *_types(old, new), *_devices(old, new), *_functions(old, new)},
+        {
+            *_fields(old, new),
+            *_types(old, new),
+            *_devices(old, new),
+            *_functions(old, new),
+            *_documentation(old, new),
+        },
         key=lambda c: (-VERDICTS.index(c.verdict), c.subject, c.what),
     )
     worst = max((c.verdict for c in changes), key=VERDICTS.index, default=VERDICTS[0])
@@ -199,6 +206,7 @@ def _parameters(of: str, old: Sequence[m.Parameter], new: Sequence[m.Parameter])
             "value to send": (a.reserved, b.reserved),
         }
         yield from _differences("compatible", subject, harmless)
+        yield from _differences("same", subject, {"typical value": (a.typical, b.typical)})
         if _type_name(a.element) != _type_name(b.element):
             yield Change("source", subject, f"of type {_type_name(b.element)}, was {_type_name(a.element)}")
         if a.variants != b.variants:
@@ -331,3 +339,51 @@ def _profile(d: m.Device) -> tuple[object, ...]:
 def _functions(old: m.Model, new: m.Model) -> Iterable[Change]:
     a, b = ({f.value: f.name for f in model.protocol.functions} for model in (old, new))
     return _named("function_selector", a, b)
+
+
+# --------------------------------------------------------------------------- documentation
+
+
+def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
+    """What no program of a user notices."""
+
+    def quantities(of: m.Model) -> dict[str, object]:
+        return {q.name: (q.typical, q.description) for q in of.simulation.quantities}
+
+    def simulated(of: m.Model) -> dict[str, object]:
+        behaviors = {b.command.full_name: b for b in of.simulation.behaviors}
+        return {**{s.field.full_name: s for s in of.simulation.sources}, **behaviors}
+
+    kinds: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+        "guide": ({g.name: g for g in old.guides}, {g.name: g for g in new.guides}),
+        "example": ({e.id: e for e in old.examples}, {e.id: e for e in new.examples}),
+        "erratum": ({e.id: e for e in old.errata}, {e.id: e for e in new.errata}),
+        "quantity": (quantities(old), quantities(new)),
+        "simulation": (simulated(old), simulated(new)),
+    }
+    for kind, (before, now) in kinds.items():
+        for name in before.keys() | now.keys():
+            if name not in now:
+                yield Change("same", name, f"{kind} removed")
+            elif name not in before:
+                yield Change("same", name, f"{kind} added")
+            elif _plain(before[name]) != _plain(now[name]):
+                yield Change("same", name, f"another {kind}")
+
+
+def _plain(x: Any) -> object:
+    """What something says itself; what it refers to is a name."""
+    match x:
+        case m.Field():
+            return x.full_name
+        case m.Device():
+            return x.id
+        case m.Set():
+            return x.name
+        case list() | tuple():
+            return [_plain(one) for one in x]
+        case dict():
+            return {key: _plain(value) for key, value in x.items()}
+    if is_dataclass(x):
+        return [_plain(getattr(x, f.name)) for f in fields(x) if f.compare]
+    return x

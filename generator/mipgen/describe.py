@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from . import descriptors
 from . import model as m
@@ -68,11 +69,29 @@ def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
     return [f for f in facts if f.topic in wanted]
 
 
+#: What was composed before, and of what, by the identities of these: all targets ask for the same.
+_known: dict[tuple[int, ...], tuple[tuple[Any, ...], list[Fact]]] = {}
+
+
+def _once(compose: Callable[..., list[Fact]], *of: Any) -> list[Fact]:
+    """The facts about a part of a model, the last of `of`; those about the parts of one model are kept."""
+    key = tuple(map(id, of))
+    if key not in _known:
+        if _known and next(iter(_known.values()))[0][-1] is not of[-1]:
+            _known.clear()
+        _known[key] = (of, compose(*of))  # as long as it is here, nothing else has its identity
+    return list(_known[key][1])
+
+
 # --------------------------------------------------------------------------- fields
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:
     """The facts about a field besides its description."""
+    return _once(_of_field, f, model)
+
+
+def _of_field(f: m.Field, model: m.Model) -> list[Fact]:
     found: list[Fact] = []
     if f.deprecated:
         found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
@@ -178,6 +197,10 @@ def _setting(c: m.Condition, model: m.Model) -> Text:
 
 def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
     """The facts about a parameter, or the parameter of a union's case, besides its description."""
+    return _once(_of_parameter, p, record, model)
+
+
+def _of_parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
     beside = {q.name: q for q in record.parameters}
     found: list[Fact] = []
     if p.deprecated:

@@ -61,6 +61,11 @@ class Sequence:
     def streams(self) -> tuple[Stream, ...]:
         return tuple(s for step in self.steps for s in step.data)
 
+    @property
+    def used(self) -> set[str]:
+        """The full names of the fields that are sent and that come as data."""
+        return {f.full_name for s in self.steps for f in (s.command, *(x.field for t in s.data for x in t.fields))}
+
 
 @dataclass(frozen=True, slots=True)
 class Change:

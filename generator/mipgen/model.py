@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Final, Literal, TypeVar
+from typing import Final, Literal, NamedTuple, TypeVar
 
 from .guided import Guide
 from .simulated import Simulation
@@ -40,8 +40,7 @@ DEVICE: Final = "device"
 MAX_FIELD_DATA = 253
 
 
-@dataclass(frozen=True, slots=True)
-class Position:
+class Position(NamedTuple):
     """A place in a specification file; lines and columns count from 1."""
 
     file: str
@@ -496,7 +495,7 @@ class Field:
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
-    @property
+    @cached_property
     def full_name(self) -> str:
         return f"{self.set_name}.{self.name}"
 

@@ -22,6 +22,10 @@ from .problems import Problems
 MAX_DEPTH = 50
 MAX_DIGITS = 40
 
+#: Plain scalars that are words, and not text; numbers begin with one of these characters.
+_WORDS = {"": None, "~": None, "null": None, "true": True, "false": False}
+_NUMERIC = frozenset("+-.0123456789")
+
 _DECIMAL = re.compile(r"-?(0|[1-9][0-9]*)")
 _HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]+")
 _FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
@@ -30,7 +34,7 @@ _SEPARATOR = re.compile(r"(?<=[0-9A-Fa-fxX])_(?=[0-9A-Fa-f])")
 _BARE = re.compile(r"(-?)0*((?=\.?[0-9])[0-9]*)(\.[0-9]*)?([eE][-+]?[0-9]+)?")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # not frozen, although nothing changes it: reading would take a fifth longer
 class Node:
     """A YAML value and its place. `value` is a dict or list of nodes, or a plain scalar."""
 
@@ -222,12 +226,8 @@ def _scalar(text: str) -> Any:
     >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "12:30", "-3", "1e3", "0.5")]
     [True, 'True', 'yes', None, None, None, 31, '12:30', -3, 1000.0, 0.5]
     """
-    if text in ("", "~", "null"):
-        return None
-    if text in ("true", "false"):
-        return text == "true"
-    if len(text) > MAX_DIGITS:
-        return text
+    if text[:1] not in _NUMERIC or len(text) > MAX_DIGITS:
+        return _WORDS.get(text, text)
     if _DECIMAL.fullmatch(text):
         return int(text)
     if _HEXADECIMAL.fullmatch(text):
@@ -245,7 +245,7 @@ def _rewritten(text: str) -> str | None:
     >>> [t for t in ("7", "-0.5e-3", "0x1F", "12:30", "1.2.3", "_1", "0b2", ".", "e5") if _rewritten(t)]
     []
     """
-    if text[:1] not in "+-.0123456789" or len(text) > MAX_DIGITS:
+    if text[:1] not in _NUMERIC or len(text) > MAX_DIGITS:
         return None
     plain = _SEPARATOR.sub("", text).removeprefix("+")
     if _FLOAT.fullmatch(plain) or _HEXADECIMAL.fullmatch(plain):

@@ -59,7 +59,7 @@ class Behavior:
 
     command: Field
     effect: str = ""
-    arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: name of a parameter, or a number
+    arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: a parameter, parameter.member, or a number
     all: tuple[tuple[str, int], ...] = ()  # parameter -> the value that means all instances
     instances: tuple[tuple[str, str], ...] = ()  # parameter -> what its values are: a limit, PORTS, SETS
     translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set

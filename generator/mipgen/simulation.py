@@ -241,9 +241,24 @@ class _Commands:
     def argument(self, f: m.Field, node: Node) -> str | int:
         if isinstance(node.value, int):
             return node.value
+        if "." in node.value:
+            self.member(f, node)
+            return str(node.value)
         if any(p.name == node.value for p in f.parameters):
             return str(node.value)
         return self.number(node, [p.name for p in f.parameters])
+
+    def member(self, f: m.Field, node: Node) -> None:
+        """A member of a structure, or of any case of a union, must exist."""
+        known, path = f.parameters, list[str]()
+        for name in node.value.split("."):
+            found = [p for p in known if p.name == name]
+            if not found:
+                near = nearest(name, [p.name for p in known])
+                self.problems.add(node.position, f"'{'.'.join([f.full_name, *path])}' has no parameter '{name}'{near}")
+                return
+            path.append(name)
+            known = tuple(inner for p in found for inner in _members(p))
 
     def number(self, node: Node, others: Sequence[str] = ()) -> int:
         """A number, or that of a set by its name."""
@@ -290,6 +305,14 @@ class _Commands:
             return None
         meaning.check_default(node, p, self.problems.add)
         return meaning.in_numbers(node.plain(), p.element)
+
+
+def _members(p: m.Parameter) -> Iterator[m.Parameter]:
+    """The parameters inside a structure, or inside the cases of a union."""
+    inside = [c.parameter.element for c in p.cases if c.parameter is not None] if p.cases else [p.element]
+    for element in inside if p.length is None else ():
+        if isinstance(element, m.Struct):
+            yield from element.parameters
 
 
 def _pairs(node: Node, part: str) -> list[tuple[str, Node]]:

@@ -26,8 +26,12 @@ class Typical:
     model: m.Model
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
-        """The values that a field requires if it is sent in this way, in the form of the codec."""
-        return self._made(f, call, [])
+        """The values that a field requires if it is sent in this way, in the form of the codec. Do not change them:
+        they are made once."""
+        key = (f.full_name, call.function.value if call.function else None)
+        if key not in self._values:
+            self._values[key] = self._made(f, call, [])
+        return self._values[key]
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
         """The same without the function, and with those that are optional."""
@@ -45,7 +49,7 @@ class Typical:
 
     def _made(self, f: m.Field, call: m.Call, made_up: list[str]) -> codec.Values:
         found: codec.Values = {"function": call.function.value} if call.function else {}
-        printed = self._printed.get((f.full_name, found.get("function")), {})
+        printed = self._printed.get(f.full_name, {}).get(found.get("function"), {})
         needed = [p for p in call.required if p.constant is None]
         if needed and all(p.name in printed for p in needed):
             tags = {q.tag for q in needed}  # what a union holds depends on them
@@ -57,18 +61,16 @@ class Typical:
         """What is known of its values one by one, in the form of the codec; those of structures may lack members."""
         by_name = {p.name: p for p in f.parameters}
         found: codec.Values = {}
-        for b in self.model.simulation.behaviors:
-            if b.command is f:
-                for name, value in b.initial:
-                    if value is not None:
-                        _state(found, by_name[name], value)
+        for name, value in self._initial.get(f.full_name, ()):
+            if value is not None:
+                _state(found, by_name[name], value)
         for p in f.parameters:
             if p.default is not None:
                 _state(found, p, p.default)
         found |= self._asked(f)
         found |= self._simulated(f)
-        for (name, _), values in self._printed.items():
-            if name == f.full_name and f.role == m.COMMAND:
+        if f.role == m.COMMAND:
+            for values in self._printed.get(f.full_name, {}).values():
                 found |= {key: value for key, value in values.items() if key != "function"}
         return found | {p.name: p.typical for p in f.parameters if p.typical is not None}
 
@@ -136,6 +138,10 @@ class Typical:
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
 
     @cached_property
+    def _values(self) -> dict[tuple[str, int | None], codec.Values]:
+        return {}
+
+    @cached_property
     def _quantities(self) -> dict[str, Any]:
         return {q.name: q.typical for q in self.model.simulation.quantities}
 
@@ -144,16 +150,24 @@ class Typical:
         return {s.field.full_name: s.values for s in self.model.simulation.sources}
 
     @cached_property
-    def _printed(self) -> dict[tuple[str, int | None], codec.Values]:
-        """(field, function) -> the values of the first example that a reader would take for typical."""
-        found: dict[tuple[str, int | None], codec.Values] = {}
+    def _initial(self) -> dict[str, list[tuple[str, Any]]]:
+        """Command -> the values that a new device has."""
+        found: dict[str, list[tuple[str, Any]]] = {}
+        for b in self.model.simulation.behaviors:
+            found.setdefault(b.command.full_name, []).extend(b.initial)
+        return found
+
+    @cached_property
+    def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
+        """Field -> function -> the values of the first example that a reader would take for typical."""
+        found: dict[str, dict[int | None, codec.Values]] = {}
         for x in self.model.examples:
             for part in x.fields:
                 f = self.model.field(part.field) if part.field else None
                 if f is None or part.values is None or part.trailing or not _plain(f.parameters, part.values):
                     continue
                 function: Any = part.values.get("function") if f.selector else None
-                found.setdefault((f.full_name, function), part.values)
+                found.setdefault(f.full_name, {}).setdefault(function, part.values)
         return found
 
 

@@ -7,7 +7,8 @@ import textwrap
 from collections.abc import Sequence
 from itertools import pairwise
 
-_OTHER_SPACE = re.compile(r"[\t\n\v\f\r]")
+#: Other than single spaces between words.
+_UNEVEN = re.compile(r"[\t\n\v\f\r]|^ |  | $")
 
 
 def wrapped(text: str, width: int, hang: str = "") -> list[str]:
@@ -18,16 +19,19 @@ def wrapped(text: str, width: int, hang: str = "") -> list[str]:
     >>> wrapped("one  two", 5), wrapped("eleven a", 5, " "), wrapped("a eleven", 5), wrapped(" a b ", 3)
     (['one', 'two'], ['eleven', ' a'], ['a', 'eleven'], [' a', 'b'])
     """
-    first, *words = text.split(" ")
-    if not first or "" in words or _OTHER_SPACE.search(text):  # rare, and slow
+    if _UNEVEN.search(text) or not text:  # rare, and slow
         return textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
-    lines = [first]
-    for word in words:
-        if len(lines[-1]) + 1 + len(word) <= width:
-            lines[-1] += f" {word}"
-        else:
-            lines.append(hang + word)
-    return lines
+    lines: list[str] = []
+    line = text
+    while len(line) > width:
+        start = len(hang) if lines else 0
+        at = line.rfind(" ", start, width + 1) if start <= width else -1
+        at = line.find(" ", start) if at < 0 else at
+        if at < 0:
+            break  # one long word
+        lines.append(line[:at])
+        line = hang + line[at + 1 :]
+    return [*lines, line]
 
 
 def call(head: str, arguments: Sequence[str], tail: str, width: int = 100, comma: str = ",") -> str:

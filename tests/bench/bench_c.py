@@ -76,15 +76,16 @@ def version(compiler: str) -> str:
 # --------------------------------------------------------------------------- speed
 
 
-def measure(program: Path, stream: Path, functions: list[str]) -> dict[str, float]:
-    """Function -> the nanoseconds of its best round. They take turns, so that all see the same disturbances."""
+def measure(stream: Path, functions: dict[str, Path]) -> dict[str, float]:
+    """Functions, each with its program -> the nanoseconds of their best rounds. They take turns, so that all see the
+    same disturbances."""
     best: dict[str, float] = {}
     found: dict[str, str] = {}
     for _ in range(TURNS):
-        for name in functions:
+        for name, program in functions.items():
             time, found[name] = run(program, stream, name, str(ROUNDS)).split()
             best[name] = min(float(time), best.get(name, 1e18))
-    assert len(set(found.values())) == 1, found  # both did the same work
+    assert len(set(found.values())) == 1, found  # all did the same work
     return best
 
 
@@ -117,7 +118,7 @@ def speed() -> list[Row]:
         for suffix, program in programs.items():
             if suffix and (ours not in CHECKSUM or stream != "log"):
                 continue
-            times = measure(program, path, [ours, plain])
+            times = measure(path, {ours: program, plain: program})
             counts = [instructions(program, path, f) for f in (ours, plain)]
             rates = [path.stat().st_size / times[f] * 1000 for f in (ours, plain)]
             rows.append([

@@ -1,8 +1,9 @@
-"""Rust: how fast beside a plain safe loop that uses no library, and beside this project's C; how large in firmware.
+"""Rust: how fast beside a plain safe loop that uses no library, this project's C, and another crate; how large in
+firmware.
 
 All are measured in one run, in turns, and the best of many rounds counts. The plain loops are in speed.rs; their
-checksum is the fast one of the crate, so what is left is the price of the crate. `make bench README=1` writes the
-result into the README of the crate.
+checksum is the simplest one that compilers make fast. The other crate, in peer.rs, comes from crates.io, for this
+measurement only. `make bench README=1` writes the result into the README of the crate.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import platform
 import re
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
 import streams
 from bench_c import BUILD, HERE, ROOT, SOURCES, Row, library, measure, run, table, version
@@ -22,18 +24,31 @@ README = ROOT / "templates/rust/bench.md"
 SIZE = 1_000_000
 EMBEDDED = "thumbv7em-none-eabi"
 
-#: What is measured: title, our function, the plain loop, the function of speed.c for C.
-ROWS = (
-    ("parse a slice: `packets`", "slice", "bare", None),
-    ("parse, in chunks of 4 KiB: `Parser::feed`", "parse", "bare", "ours_parse"),
-    ("parse, in chunks of 64 bytes", "small", "bare", None),
-    ("parse, byte by byte", "bytewise", None, "ours_bytewise"),
-    ("parse: `PacketReader`", "reader", "bare", None),
-    ("parse, decode every field: `get`", "get", "bare_get", "ours_direct"),
-    ("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry"),
-    ("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry"),
-)
+#: The other crate.
+PEER, PEER_VERSION = "microstrain-inertial", "0.0.2"
 
+
+class Measured(NamedTuple):
+    title: str
+    ours: str
+    plain: str
+    #: Functions of speed.c and of peer.rs.
+    c: str
+    peer: str
+    #: Whether the plain loop does the like: it has all bytes.
+    like: bool = True
+
+
+ROWS = (
+    Measured("parse a slice: `packets`", "slice", "bare", "ours_whole", "peer"),
+    Measured("parse, in chunks of 4 KiB: `Parser::feed`", "parse", "bare", "ours_parse", "peer"),
+    Measured("parse, in chunks of 64 bytes", "small", "bare", "ours_small", "peer"),
+    Measured("parse, byte by byte", "bytewise", "bare", "ours_bytewise", "peer", like=False),
+    Measured("parse: `PacketReader`", "reader", "bare", "ours_read", "peer"),
+    Measured("parse, decode every field: `get`", "get", "bare_get", "ours_direct", "peer_get"),
+    Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
+    Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
+)
 FIRMWARE = """#![no_std]
 #![no_main]
 use core::panic::PanicInfo;
@@ -133,36 +148,50 @@ def cargo(folder: Path, *arguments: str) -> None:
 # --------------------------------------------------------------------------- speed
 
 
-def speed() -> list[Row]:
-    log = streams.log(load_model(ROOT / "spec"), SIZE)
-    contents = {"tiled": log, "shuffled": streams.shuffled(log)}
-    for name, content in contents.items():
-        (BUILD / f"{name}.bin").write_bytes(content)
+def programs() -> tuple[Path, Path, str]:
+    """The program in Rust, the one in C, and why the other crate is not in the first one."""
     flags = ["-std=gnu99", "-O2", f"-I{SOURCES}", f"-I{HERE}"]
     run("cc", *flags, HERE / "speed.c", HERE / "plain.c", *library(), "-o", BUILD / "speed")
-    dependency = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
-    cargo(project("speed-rust", dependency, {"main.rs": (HERE / "speed.rs").read_text()}), "build", "--release")
-    program = BUILD / "target/release/speed-rust"
+    ours = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
+    peer = f'{PEER} = {{ version = "={PEER_VERSION}", default-features = false, features = ["std"] }}\n'
+    files = {name: (HERE / name).read_text() for name in ("speed.rs", "peer.rs")}
+    files["main.rs"] = files.pop("speed.rs")
+    folder = project("speed-rust", f"{ours}{peer}\n[features]\ndefault = ['peer']\npeer = []\n", files)
+    missing = subprocess.run(["cargo", "fetch"], cwd=folder, capture_output=True, text=True)
+    if missing.returncode:
+        project("speed-rust", f"{ours}\n[features]\npeer = []\n", files)
+    cargo(folder, "build", "--release")
+    return BUILD / "target/release/speed-rust", BUILD / "speed", missing.stderr if missing.returncode else ""
+
+
+def speed() -> tuple[list[Row], str]:
+    """The rows of the table; why the column of the other crate is empty."""
+    log = streams.log(load_model(ROOT / "spec"), SIZE)
+    contents = {"tiled": log, "shuffled": streams.shuffled(log)}
+    rust, c, missing = programs()
     times: dict[str, dict[str, float]] = {}
-    for name in contents:
+    for name, content in contents.items():
         path = BUILD / f"{name}.bin"
+        path.write_bytes(content)
         times[name] = {}
-        for functions in (
-            ["slice", "parse", "small", "bytewise", "reader", "bare"],
-            ["get", "visitor", "any", "bare_get"],
-        ):
-            times[name] |= measure(program, path, functions)
-        for functions in (["ours_parse", "ours_bytewise"], ["ours_direct", "ours_registry"]):
-            times[name] |= measure(BUILD / "speed", path, functions)
-    rows = []
-    for title, ours, bare, c in ROWS:
+        for plain in ("bare", "bare_get"):
+            rows = [row for row in ROWS if row.plain == plain]  # they all find the same
+            functions = {f: rust for row in rows for f in (row.ours, row.plain)}
+            functions |= {row.c: c for row in rows}
+            functions |= {} if missing else {row.peer: rust for row in rows}
+            times[name] |= measure(path, functions)
+    out = []
+    for row in ROWS:
         ratios, rates = [], []
-        for name in contents:
-            own = times[name][ours]
-            ratios += [f"{times[name][other] / own:.2f}" if other else "" for other in (bare, c)]
-            rates.append(f"{SIZE / own:.2f}")
-        rows.append([title, *ratios, *rates])
-    return rows
+        for name, content in contents.items():
+            own = times[name][row.ours]
+            others = [times[name].get(other) for other in (row.plain, row.c, row.peer)]
+            if not row.like:
+                others[0] = None
+            ratios += [f"{other / own:.{2 if other < 10 * own else 0}f}" if other else "" for other in others]
+            rates.append(f"{len(content) / own:.2f}")
+        out.append([row.title, *ratios, *rates])
+    return out, missing
 
 
 # --------------------------------------------------------------------------- size
@@ -222,17 +251,25 @@ class Elf:
 # --------------------------------------------------------------------------- report
 
 
-def report(columns: int = 7) -> str:
+def report(readme: bool = False) -> str:
     """As Markdown. The last two columns depend on the machine: the README goes without them."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    heads = ["Speed", "Plain loop", "C", "Plain loop, shuffled", "C, shuffled", "GB/s", "GB/s, shuffled"]
+    others = ["Plain loop", "C", "Other crate"]
+    heads = ["Speed", *others, *(f"{other}, shuffled" for other in others), "GB/s", "GB/s, shuffled"]
+    columns = 7 if readme else 9
     machine = platform.machine().replace("_", "-")
     compiler = run("rustc", "--version").split()[1]
+    rows, missing = speed()
+    if missing and readme:
+        raise SystemExit(f"bench: the README needs the crate {PEER}: {missing}")
     out = f"Rust {compiler}, default release profile, on {machine}; C by {version('cc')}, `-O2`. The ratios say\n"
     out += "how many times as fast the crate is as a plain safe loop without any library that has all bytes in\n"
-    out += "memory, and as C from the same specification. The log has packets of 44 bytes on average; shuffled,\n"
-    out += "no branch predictor knows what comes.\n\n"
-    out += table(heads[:columns], [row[:columns] for row in speed()])
+    out += "memory, as C from the same specification, and as another crate,\n"
+    out += f"[{PEER}](https://crates.io/crates/{PEER}) {PEER_VERSION}, which takes single bytes. The log has packets\n"
+    out += "of 44 bytes on average; shuffled, no branch predictor knows what comes.\n\n"
+    out += table(heads[:columns], [row[:columns] for row in rows])
+    if missing:
+        out += f"\nThe other crate, {PEER}, cannot be fetched, and its columns are empty: {missing}\n"
     small = sizes()
     if not small:
         return out + f"\nSizes need the target {EMBEDDED}, which is missing (rustup target add {EMBEDDED}).\n"
@@ -244,7 +281,7 @@ def report(columns: int = 7) -> str:
 def write_readme() -> None:
     if EMBEDDED not in run("rustup", "target", "list", "--installed").split():
         raise SystemExit(f"bench: the README needs the target {EMBEDDED} (rustup target add {EMBEDDED})")
-    README.write_text(report(columns=5), "utf-8")
+    README.write_text(report(readme=True), "utf-8")
     print(f"{README.relative_to(ROOT)} is written; now: make generate golden")
 
 

@@ -13,6 +13,7 @@
 #include <time.h>
 
 enum { CHUNK = 4096,
+       SMALL = 64,
        BUILT = 44 };
 
 /** Keeps the compiler from leaving out what has been computed, without an instruction. */
@@ -155,8 +156,34 @@ static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, boo
 FUNCTION(ours_parse) {
     return parse(data, size, CHUNK, NULL);
 }
+FUNCTION(ours_whole) {
+    return parse(data, size, size, NULL);
+}
+FUNCTION(ours_small) {
+    return parse(data, size, SMALL, NULL);
+}
 FUNCTION(ours_bytewise) {
     return parse(data, size, 1, NULL);
+}
+FUNCTION(ours_read) {
+    uint8_t buffer[CHUNK];
+    struct mip_parser parser;
+    size_t count = 0;
+    mip_parser_init(&parser);
+    while (size > 0) {
+        size_t part = size < CHUNK ? size : CHUNK;
+        const uint8_t *bytes = buffer;
+        struct mip_packet packet;
+        memcpy(buffer, data, part); /* as reading a file would */
+        use(buffer);
+        data += part;
+        size -= part;
+        while (mip_parser_next(&parser, &bytes, &part, &packet)) {
+            use(&packet);
+            count++;
+        }
+    }
+    return count;
 }
 FUNCTION(ours_direct) {
     return parse(data, size, CHUNK, direct);
@@ -210,8 +237,8 @@ FUNCTION(plain_build) {
 static const struct {
     const char *name;
     size_t (*run)(const uint8_t *data, size_t size);
-} ROWS[] = {ROW(ours_parse), ROW(ours_bytewise), ROW(ours_direct), ROW(ours_table),
-            ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
+} ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
+            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
             ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
 
 int main(int count, char **arguments) {

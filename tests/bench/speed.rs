@@ -1,6 +1,9 @@
 //! speed FILE FUNCTION ROUNDS: as speed.c. Runs one of the functions below over the bytes of a file, and prints the
 //! fewest nanoseconds of processor time that a round took and what it found.
 
+#[cfg(feature = "peer")]
+mod peer;
+
 use std::hint::black_box;
 
 use mip_protocol::registry::{visit, Listed, Visitor};
@@ -203,6 +206,10 @@ const ROWS: &[Row] = &[
     ("visitor", visitor),
     ("bare", bare),
     ("bare_get", bare_get),
+    #[cfg(feature = "peer")]
+    ("peer", peer::parse),
+    #[cfg(feature = "peer")]
+    ("peer_get", peer::get),
 ];
 
 extern "C" {

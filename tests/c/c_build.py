@@ -18,7 +18,7 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
 UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage")
-SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 
 def folder(spec: str) -> Path:

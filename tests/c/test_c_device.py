@@ -238,7 +238,8 @@ def example(tmp_path: Path, name: str, *also: Path) -> Path:
     if name.endswith(".cpp"):
         library = archive("real", "cc", "-std=c99")
         return compiled(out, "real", "g++", EXAMPLES / name, "-std=c++11", library=library)
-    return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also)
+    library = archive("real", "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+    return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also, library=library)
 
 
 def ran(program: Path, *arguments: str) -> tuple[int, str, str]:

@@ -12,11 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import strategies
-from c_build import HERE, SANITIZE, compiled
-from hypothesis import given
+from c_build import HERE, SANITIZE, archive, compiled
 from mipgen import codec
 from mipgen import model as m
+from strategies import drawn
 from support import BUILD, SPECS, all_fields, locked, model, set_of
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -28,7 +27,8 @@ Request = tuple[str, str, int, bytes]
 def printer(spec: str) -> Path:
     out = BUILD / f"print-{spec}"
     with locked(out):
-        return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE)
+        library = archive(spec, "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+        return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE, library=library)
 
 
 def ask(spec: str, requests: list[Request]) -> list[tuple[int, str]]:
@@ -274,18 +274,6 @@ def test_every_example(spec: str) -> None:
     assert texts(spec, "bytes", packets) == [bytes_text(of, p) for p in packets]
 
 
-def drawn(f: m.Field, count: int) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = []
-
-    @strategies.relaxed(count)
-    @given(strategies.field_values(f))
-    def collect(values: dict[str, Any]) -> None:
-        found.append(values)
-
-    collect()
-    return found
-
-
 def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.Field, bytes]]:
     for f in fields:
         for values in drawn(f, count):
@@ -300,7 +288,7 @@ def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.
 def test_every_field(spec: str) -> None:
     """With random values, on every device that gives some values of it a meaning, and with bytes behind it."""
     of = model(spec)
-    found = list(packets(of, all_fields(of), 6 if spec == "real" else 40))
+    found = list(packets(of, all_fields(of), 8 if spec == "real" else 40))
     assert {f.full_name for f, _ in found} == {f.full_name for f in all_fields(of)}
     requests: list[Request] = []
     wanted = []
@@ -326,7 +314,7 @@ def test_every_name(spec: str) -> None:
     requests: list[Request] = []
     wanted: list[list[str]] = []
     for f in all_fields(of):
-        values = max(drawn(f, 6), key=len)
+        values = max(drawn(f, 8), key=len)
         for p in f.parameters:
             if p.name not in values or p.length is not None:
                 continue

@@ -339,10 +339,10 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
 @in_browser
 def test_pages_lead_to_the_tools(page: browser.Page) -> None:
     go(page, "fields/3dm/pps_source_control.html")
-    builder = page.run("document.querySelector('article a[href*=\"tools/builder\"]').href")
+    builder = page.run("document.querySelector('article p > a[href*=\"tools/builder\"]').href")
     assert builder.endswith("/tools/builder.html#3dm.pps_source_control")
     bytes_ = page.run("document.querySelector('.mip-packet-cell code').textContent")
-    inspector = unquote(page.run("document.querySelector('.mip-inspect').href"))
+    inspector = unquote(page.run("document.querySelector('.mip-open a').href"))
     assert inspector.endswith(f"/tools/inspector.html#{bytes_}") and bytes_.startswith("75 65 0C")
     go(page, f"tools/builder.html#{builder.partition('#')[2]}")
     assert page_of("3dm.pps_source_control") in shown(page, ".mip-tool h2 a")
@@ -350,6 +350,38 @@ def test_pages_lead_to_the_tools(page: browser.Page) -> None:
     assert page.run("document.querySelector('.mip-packet').dataset.bytes") == bytes_
     go(page, "tools/finder.html#nack")
     assert shown(page, ".mip-results a")[0] == page_of("protocol.acknowledge")
+
+
+@in_browser
+@pytest.mark.parametrize(
+    ("address", "bytes_"),
+    [
+        ("fields/3dm/message_format.html", "75 65 0C 0B 0B 0F 01 80 02 04 00 0A 05 00 0A AB 00"),
+        ("fields/sensor/scaled_accel.html", ""),
+        ("guides/stream_imu_data.html", "75 65 0C 0E 0E 0F 01 80 03 D5 00 0A 04 00 0A 05 00 0A 91 CE"),
+    ],
+)
+def test_packets_of_pages_open_in_the_builder(page: browser.Page, address: str, bytes_: str) -> None:
+    """With their values, which build the same packet."""
+    go(page, address)
+    links = "[...document.querySelectorAll('.mip-open a[href*=\"tools/builder\"]')]"
+    packets = [unquote(href.partition("#")[2]) for href in page.run(f"{links}.map((link) => link.href)")]
+    assert packets and bytes_ in ["", *packets]
+    assert not [text for text in packets if re.match("75 65 [0-7]. .. .. F1", text)], "answers are not for sending"
+    wanted = bytes_ or packets[0]
+    (href,) = set(
+        page.run(f"{links}.map((link) => link.href).filter((href) => decodeURIComponent(href).endsWith('#{wanted}'))")
+    )
+    go(page, href.removeprefix(f"{built('real').as_uri()}/"))
+    assert page.run("document.querySelector('.mip-packet-bytes').textContent") == wanted
+    assert page.run("document.querySelector('.mip-tool > .mip-wrong')") is None
+
+
+@in_browser
+def test_the_builder_says_what_it_cannot_open(page: browser.Page) -> None:
+    for text, said in (("75 65 01 02 02 55 34 17", True), ("base.pong", True), ("base.ping", False), ("", False)):
+        go(page, f"tools/builder.html#{text}")
+        assert page.run("document.querySelector('.mip-tool > .mip-wrong') !== null") == said, text
 
 
 @in_browser
@@ -389,6 +421,32 @@ def test_pages_fit_the_window(page: browser.Page, width: int) -> None:
         page.size(1400)
 
 
+#: Tables that need more than the window.
+SCROLLING = (
+    "[...document.querySelectorAll('article .md-typeset__scrollwrap')]"
+    ".filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.textContent.trim().slice(0, 60))"
+)
+
+
+@in_browser
+def test_wide_tables_break_names(page: browser.Page) -> None:
+    """Only where they would have to scroll, and between the words of a name."""
+    page.size(1400)
+    for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_1/dop.html"):
+        if address.startswith(("tools/", "compare/", "guides/")):
+            continue
+        go(page, address)
+        page.run("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+        page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50)))")
+        assert page.run(SCROLLING) == [], address
+    go(page, "fields/base/ping.html")
+    assert page.run("document.querySelectorAll('article table wbr').length") == 0
+    go(page, "fields/3dm/event_trigger_config.html")
+    wait(page, "document.querySelector('article table wbr')")
+    before = page.run("[...new Set([...document.querySelectorAll('wbr')].map((x) => x.previousSibling.data.at(-1)))]")
+    assert set(before) <= set("_.*") | set("abcdefghijklmnopqrstuvwxyz"), before
+
+
 @in_browser
 def test_printed_tables_fit_the_paper(page: browser.Page) -> None:
     """They cannot scroll there."""
@@ -406,6 +464,63 @@ def test_printed_tables_fit_the_paper(page: browser.Page) -> None:
     finally:
         page.call("Emulation.setEmulatedMedia", media="")
         page.size(1400)
+
+
+#: Texts of the page with less contrast to what is behind them than 4.5 to 1, and large or bold ones with less than 3.
+FAINT = """
+(() => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d");
+    const over = (colors) => {
+        canvas.clearRect(0, 0, 1, 1);
+        for (const color of colors) { canvas.fillStyle = color; canvas.fillRect(0, 0, 1, 1); }
+        return [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3);
+    };
+    const light = (rgb) => {
+        const [r, g, b] = rgb.map((x) => (x /= 255) <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const found = new Set();
+    for (const one of document.querySelectorAll("article *, header *, nav *")) {
+        const text = [...one.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+        if (!text || !one.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
+        const behind = [];
+        for (let up = one; up; up = up.parentElement) behind.unshift(getComputedStyle(up).backgroundColor);
+        const style = getComputedStyle(one);
+        const [a, b] = [light(over(behind)), light(over([...behind, style.color]))];
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const size = parseFloat(style.fontSize);
+        const large = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
+        const words = [ratio.toFixed(2), one.tagName, one.className, one.textContent.trim().slice(0, 30)];
+        if (ratio < (large ? 3 : 4.5)) found.add(words.join(" "));
+    }
+    return [...found].slice(0, 8);
+})()
+"""
+
+
+@in_browser
+def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
+    """By its button; the next page has it too, and texts have enough contrast in each."""
+    still = "{ textContent: '*, ::before, ::after { transition: none !important }' }"
+    scheme = "document.body.dataset.mdColorScheme"
+    button = "[...document.querySelectorAll('.md-header [data-md-component=palette] label')].find((one) => !one.hidden)"
+    go(page, "fields/3dm/message_format.html")
+    seen = []
+    try:
+        for _ in range(3):
+            wait(page, button)
+            page.run(f"{button}.click()")
+            chosen = page.run(scheme)
+            seen.append(chosen)
+            for address in ("fields/3dm/message_format.html", "compare/commands.html", "tools/builder.html#base.ping"):
+                go(page, address)
+                assert page.run(scheme) == chosen, address
+                page.run(f"document.head.append(Object.assign(document.createElement('style'), {still}))")
+                page.run("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
+                assert page.run(FAINT) == [], (address, chosen)
+        assert {"default", "slate"} <= set(seen)
+    finally:
+        page.run("localStorage.clear()")
 
 
 @in_browser

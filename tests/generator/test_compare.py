@@ -68,6 +68,14 @@ PORT = "{name: port, type: u8, for: WRS"
             "compatible",
             "tools.settings_response: a layout of other devices",
         ),
+        ("simulation/world.yaml", "Of the device", "Of it", "same", "height: another quantity"),
+        ("simulation/world.yaml", "{unit: m,", "{unit: m, typical: 3,", "same", "height: another quantity"),
+        (TOOLS, PORT, PORT.replace("u8", "u8, typical: 5"), "same", "settings.port: typical value 5, was none"),
+        ("errata/errata.yaml", "reason: ", "reason: Indeed. ", "same", ": another erratum"),
+        ("examples/examples.yaml", "title: ", "title: The ", "same", ": another example"),
+        ("guides/guide.yaml", "question: ", "question: Or ", "same", ": another guide"),
+        ("guides/guide.yaml", "guide: ", "guide: new_", "same", ": guide added"),
+        ("guides/guide.yaml", "guide: ", "guide: new_", "same", ": guide removed"),
         ("protocol.yaml", "save: {value", "store: {value", "source", "function_selector.store: was called save"),
     ],
 )
@@ -79,6 +87,7 @@ def test_verdict(tmp_path: Path, file: str, old: str, new: str, verdict: str, sa
 
 def test_a_field_less_and_a_field_more() -> None:
     real, more = model("real"), load_model(SPECS["real"][0], ROOT / "tests/overlay")
+    assert not [c for c in compare(real, more).changes if c.verdict == "same"]
     assert compare(real, more).verdict == "compatible" and compare(more, real).verdict == "source"
     assert compare(real, real).verdict == "same" and compare(real, real).changes == ()
     assert "payload.lamp" in {c["subject"] for c in compare(more, real).plain()["changes"]}
@@ -86,7 +95,7 @@ def test_a_field_less_and_a_field_more() -> None:
 
 def test_the_worst_comes_first() -> None:
     report = compare(model("real"), model("invented"))
-    order = ["wire", "source", "compatible"]
+    order = ["wire", "source", "compatible", "same"]
     found = [c.verdict for c in report.changes]
     assert found == sorted(found, key=order.index) and report.verdict == "wire"
 

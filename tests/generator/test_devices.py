@@ -152,3 +152,22 @@ def test_device_status() -> None:
         13: "basic_without_state", 15: "basic", 53: "diagnostic", 62: "diagnostic_imu", 75: "diagnostic_gx4",
         79: "diagnostic_gnss", 82: "diagnostic_gq4_45", 88: "diagnostic_rq1_45",
     }  # fmt: skip
+
+
+def test_ports_have_the_names_of_their_device() -> None:
+    """Where a device says what the port in a command means, these are its ports."""
+    found = 0
+    for d in REAL.devices:
+        for v in d.variants:
+            if not v.path.startswith("base.comm_speed") or not isinstance(v.variant.type, m.Enum):
+                continue
+            named = {x.value: x.name for x in v.variant.type.values if x.name != "all"}
+            assert named == {p.id: p.name.lower().replace(" ", "_") for p in d.ports}, d.id
+            found += 1
+    assert found == 2, "the command and its response"
+
+
+def test_who_has_port_ids_and_the_command_names_them() -> None:
+    for d in REAL.devices:
+        if "base.comm_speed" in names(d):
+            assert {"base.comm_speed.port", "base.comm_speed_response.port"} <= {v.path for v in d.variants}, d.id

@@ -188,3 +188,9 @@ def test_what_is_wrong_is_seen(path: str, right: str, wrong: str) -> None:
     assert right in unwrapped, right
     files[f"src/{path}.rs"] = unwrapped.replace(right, wrong, 1).encode()
     assert missing(specification("invented"), files) != []
+
+
+def test_what_uses_cargo_is_in_one_process(request: pytest.FixtureRequest) -> None:
+    """Where several run tests, their groups show in the names: others would only wait for cargo."""
+    several = getattr(request.config.option, "loadgroup", False)
+    assert request.node.nodeid.endswith("@cargo") == bool(several)

@@ -431,7 +431,10 @@ class CommSpeedResponse(Response):
     _LAYOUT = (("port", "B", None), ("baud", "I", None))
 
     port: int
-    """Port id of the device; 0 means all ports, and is for save, load and default only."""
+    """Port id of the device; 0 means all ports, and is for save, load and default only.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    """
     baud: int
     """Baud rate; one that the port supports. Unit: Bd."""
 
@@ -750,7 +753,10 @@ class CommSpeed(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     port: int | None
-    """Port id of the device; 0 means all ports, and is for save, load and default only."""
+    """Port id of the device; 0 means all ports, and is for save, load and default only.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
+    """
     baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
 

@@ -902,8 +902,10 @@ CV7_GNSS_INS = Device(
         ),
     },
     readings={
+        "base.comm_speed.port": types.CommInterface,
         "base.built_in_test_response.result": types.Cv7BuiltInTest,
         "base.continuous_built_in_test_response.result": types.Cv7ContinuousBuiltInTest,
+        "base.comm_speed_response.port": types.CommInterface,
         "filter_data.status.filter_state": filter_data.Cv7FilterState,
         "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,

@@ -10,32 +10,10 @@ from __future__ import annotations
 from enum import IntFlag
 from typing import Any
 
-from . import codec
+from . import codec, types
 from .errors import Truncated
 from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
-
-
-class CommInterface(codec.OpenEnum):
-    """A port of a device.
-
-    - mip-sdk-4: Interface Control (0x7F,0x02)
-    """
-
-    ALL = 0
-    """All ports."""
-    MAIN = 1
-    """The main port: USB while it is connected, else the main UART."""
-    UART_1 = 17
-    """The first port that is a UART or can be one."""
-    UART_2 = 18
-    """The second UART."""
-    UART_3 = 19
-    """The third UART."""
-    USB_1 = 33
-    """First virtual serial port of USB."""
-    USB_2 = 34
-    """Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."""
 
 
 @codec.open_flag(32)
@@ -88,12 +66,12 @@ class InterfaceControlResponse(Response):
     NAME = "system.interface_control_response"
     ROLE = "response"
     _LAYOUT = (
-        ("port", "B", CommInterface),
+        ("port", "B", types.CommInterface),
         ("protocols_incoming", "I", CommProtocols),
         ("protocols_outgoing", "I", CommProtocols),
     )
 
-    port: CommInterface
+    port: types.CommInterface
     """The port. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols
     """Protocols that it receives."""
@@ -102,7 +80,7 @@ class InterfaceControlResponse(Response):
 
     def __init__(
         self,
-        port: CommInterface,
+        port: types.CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
     ) -> None:
@@ -114,7 +92,7 @@ class InterfaceControlResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControlResponse, int]:
         v = _INTERFACE_CONTROL_RESPONSE_0.read(raw, at)
         at += 9
-        port = CommInterface(v[0])
+        port = types.CommInterface(v[0])
         protocols_incoming = CommProtocols(v[1])
         protocols_outgoing = CommProtocols(v[2])
         return cls(port, protocols_incoming, protocols_outgoing), at
@@ -205,7 +183,7 @@ class InterfaceControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: CommInterface | None
+    port: types.CommInterface | None
     """The port. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols | None
     """Protocols that it receives. Required for `write`."""
@@ -215,7 +193,7 @@ class InterfaceControl(Command[R]):
     def __init__(
         self,
         function: FunctionSelector,
-        port: CommInterface | None = None,
+        port: types.CommInterface | None = None,
         protocols_incoming: CommProtocols | None = None,
         protocols_outgoing: CommProtocols | None = None,
     ) -> None:
@@ -227,7 +205,7 @@ class InterfaceControl(Command[R]):
     @classmethod
     def write(
         cls: ClassOf[InterfaceControl[Any]],
-        port: CommInterface,
+        port: types.CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
     ) -> InterfaceControl[None]:
@@ -241,23 +219,29 @@ class InterfaceControl(Command[R]):
 
     @classmethod
     def read(
-        cls: ClassOf[InterfaceControl[Any]], port: CommInterface
+        cls: ClassOf[InterfaceControl[Any]], port: types.CommInterface
     ) -> InterfaceControl[InterfaceControlResponse]:
         """Return the current setting in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
+    def save(
+        cls: ClassOf[InterfaceControl[Any]], port: types.CommInterface
+    ) -> InterfaceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
+    def load(
+        cls: ClassOf[InterfaceControl[Any]], port: types.CommInterface
+    ) -> InterfaceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
+    def default(
+        cls: ClassOf[InterfaceControl[Any]], port: types.CommInterface
+    ) -> InterfaceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -269,7 +253,7 @@ class InterfaceControl(Command[R]):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl[R], int]:
-        port: CommInterface | None = None
+        port: types.CommInterface | None = None
         protocols_incoming: CommProtocols | None = None
         protocols_outgoing: CommProtocols | None = None
         v = _INTERFACE_CONTROL_0.read(raw, at)
@@ -282,7 +266,7 @@ class InterfaceControl(Command[R]):
                 raise Truncated(1, 0)
             v = _INTERFACE_CONTROL_1.read(raw, at)
             at += 1
-            port = CommInterface(v[0])
+            port = types.CommInterface(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)

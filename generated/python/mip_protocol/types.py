@@ -965,6 +965,29 @@ class NmeaMessage(Structure):
         return out
 
 
+class CommInterface(codec.OpenEnum):
+    """A port of a device.
+
+    - 3dm-cv7-gnss-ins: Ports
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    """
+
+    ALL = 0
+    """All ports."""
+    MAIN = 1
+    """The main port: USB while it is connected, else the main UART."""
+    UART_1 = 17
+    """The first port that is a UART or can be one."""
+    UART_2 = 18
+    """The second UART."""
+    UART_3 = 19
+    """The third UART."""
+    USB_1 = 33
+    """First virtual serial port of USB."""
+    USB_2 = 34
+    """Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."""
+
+
 @codec.open_flag(32)
 class RtkStatusFlags(IntFlag):
     """State of the modem and of the corrections. Models of another kind send

@@ -921,6 +921,28 @@ constructors! {
     );
 }
 
+open_enum! {
+    /// A port of a device.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Ports; mip-sdk-4: Interface Control (0x7F,0x02).
+    CommInterface: u8 {
+        /// All ports.
+        ALL = 0, "all";
+        /// The main port: USB while it is connected, else the main UART.
+        MAIN = 1, "main";
+        /// The first port that is a UART or can be one.
+        UART_1 = 17, "uart_1";
+        /// The second UART.
+        UART_2 = 18, "uart_2";
+        /// The third UART.
+        UART_3 = 19, "uart_3";
+        /// First virtual serial port of USB.
+        USB_1 = 33, "usb_1";
+        /// Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
+        USB_2 = 34, "usb_2";
+    }
+}
+
 bitfield! {
     /// State of the modem and of the corrections. Models of another kind send
     /// [`RtkStatusFlagsLegacy`].

@@ -528,7 +528,7 @@ def test_a_baud_rate_is_of_one_port() -> None:
 
 
 def test_a_port_takes_and_gives_the_protocols_that_are_set() -> None:
-    kind, ports = system.InterfaceControl, system.CommInterface
+    kind, ports = system.InterfaceControl, types.CommInterface
     mip, nmea = system.CommProtocols.MIP, system.CommProtocols.NMEA
     device = VirtualDevice(CV7)
     host, aux = Host(device), Host(device, "UART 2")

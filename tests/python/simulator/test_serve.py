@@ -505,6 +505,27 @@ def test_faults_of_the_program(tmp_path: Path) -> None:
     assert client.packets.count(ACKNOWLEDGE) <= 1 and all(line.startswith('{"time": ') for line in text.splitlines())
 
 
+def test_a_signal_at_a_pin_of_the_program() -> None:
+    """It triggers an event, which sends a packet."""
+    commands: list[Command] = [
+        mip_3dm.GpioConfig.write(2, types.GpioFeature.GPIO, 1, types.GpioPinMode(0)),
+        mip_3dm.EventTriggerConfig.write(
+            1, types.EventTriggerType.GPIO, types.EventTriggerGpio(2, types.EventTriggerGpioMode.WHILE_HIGH)
+        ),
+        mip_3dm.EventActionConfig.write(
+            1, 1, types.EventActionType.MESSAGE, types.EventActionMessage(0x80, 0, (0x04,))
+        ),
+        mip_3dm.EventControl.write(1, types.EventTriggerMode.ENABLED),
+    ]
+    with program("simulate", DEVICE, "--tcp", "0", "--signal", "2=50") as process:
+        assert process.stdout is not None
+        with Client(process.stdout.readline().strip()) as client:
+            client.send(b"".join(bytes(command.packet()) for command in commands))
+            client.wait(lambda: sum(p[2] == 0x80 for p in client.packets) > 1)
+        process.terminate()
+        process.wait(PATIENCE)
+
+
 def run(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int, str, str]:
     try:
         code = __main__.main([str(a) for a in arguments])
@@ -632,6 +653,8 @@ def test_errors_are_one_line_with_a_remedy(
         (["--start", "3001-01-01"], "is too late; use a year up to 3000"),
         (["--start", "0001-01-01T00:00:00+14:00"], "is not a time; write 2024-05-01T12:00:00"),
         (["--speed", "fast"], "'fast' is not a speed; use 1 for real time"),
+        (["--signal", "1"], "'' is not a signal; write PIN=HZ, such as 1=10"),
+        (["--signal", "0=10"], "'0' is not a signal; write PIN=HZ, such as 1=10"),
     ],
 )
 def test_values_are_checked(arguments: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:

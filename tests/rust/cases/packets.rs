@@ -54,6 +54,25 @@ fn packets_are_kept_and_built_on_without_checking_them_again() {
     assert!(more != built);
 }
 
+/// Byte by byte, as the protocol defines it.
+fn fletcher(bytes: &[u8]) -> [u8; 2] {
+    bytes.iter().fold([0, 0], |[a, b], byte| {
+        let a = byte.wrapping_add(a);
+        [a, a.wrapping_add(b)]
+    })
+}
+
+#[test]
+fn the_checksum_of_any_number_of_any_bytes_is_that_of_the_protocol() {
+    let mixed: Vec<u8> = (0..5000_u32).map(|i| (i.wrapping_mul(0x9E37_79B1) >> 24) as u8).collect();
+    for bytes in [mixed, vec![0xFF; 5000], vec![0x01; 5000], vec![0x80; 5000]] {
+        for length in (0..600).chain([2047, 2048, 2049, 4096, 5000]) {
+            assert_eq!(checksum(&bytes[..length]), fletcher(&bytes[..length]), "{length}");
+            assert_eq!(checksum(&bytes[5000 - length..]), fletcher(&bytes[5000 - length..]));
+        }
+    }
+}
+
 #[test]
 fn an_empty_packet_is_legal() {
     for set in 0..=0xFF {

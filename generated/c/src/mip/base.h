@@ -699,7 +699,10 @@ struct mip_base_comm_speed {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Port id of the device; 0 means all ports, and is for save, load and default only. */
+    /**
+     * Port id of the device; 0 means all ports, and is for save, load and default only. On the
+     * 3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+     */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
     uint32_t baud;
@@ -776,7 +779,10 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed_response {
-    /** Port id of the device; 0 means all ports, and is for save, load and default only. */
+    /**
+     * Port id of the device; 0 means all ports, and is for save, load and default only. On the
+     * 3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+     */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. */
     uint32_t baud;

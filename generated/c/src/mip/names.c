@@ -455,6 +455,21 @@ const char *mip_nmea_talker_id_name(uint8_t value) {
     return mip_value_name(&mip_names_nmea_talker_id, value);
 }
 
+static const char name_comm_interface[] = "comm_interface";
+static const char labels_comm_interface[] = "all\0"
+                                            "main\0"
+                                            "uart_1\0"
+                                            "uart_2\0"
+                                            "uart_3\0"
+                                            "usb_1\0"
+                                            "usb_2";
+static const uint8_t numbers_comm_interface[] = {0, 1, 17, 18, 19, 33, 34};
+const struct mip_names mip_names_comm_interface = {
+    name_comm_interface, labels_comm_interface, numbers_comm_interface, NULL, 7, 1};
+const char *mip_comm_interface_name(uint8_t value) {
+    return mip_value_name(&mip_names_comm_interface, value);
+}
+
 static const char name_rtk_status_flags[] = "rtk_status_flags";
 static const char labels_rtk_status_flags[] = "modem_state\0"
                                               "connection_type\0"
@@ -1203,25 +1218,6 @@ const struct mip_names mip_names_aiding_llh_axis_flags = {name_aiding_llh_axis_f
                                                           bits_aiding_llh_axis_flags,
                                                           3,
                                                           2};
-
-static const char name_system_comm_interface[] = "system.comm_interface";
-static const char labels_system_comm_interface[] = "all\0"
-                                                   "main\0"
-                                                   "uart_1\0"
-                                                   "uart_2\0"
-                                                   "uart_3\0"
-                                                   "usb_1\0"
-                                                   "usb_2";
-static const uint8_t numbers_system_comm_interface[] = {0, 1, 17, 18, 19, 33, 34};
-const struct mip_names mip_names_system_comm_interface = {name_system_comm_interface,
-                                                          labels_system_comm_interface,
-                                                          numbers_system_comm_interface,
-                                                          NULL,
-                                                          7,
-                                                          1};
-const char *mip_system_comm_interface_name(uint8_t value) {
-    return mip_value_name(&mip_names_system_comm_interface, value);
-}
 
 static const char name_system_comm_protocols[] = "system.comm_protocols";
 static const char labels_system_comm_protocols[] = "mip\0"
@@ -2369,6 +2365,7 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gpio_pin_mode,
     &mip_names_nmea_message_id,
     &mip_names_nmea_talker_id,
+    &mip_names_comm_interface,
     &mip_names_rtk_status_flags,
     &mip_names_rtk_status_flags_legacy,
     &mip_names_ack_code,
@@ -2421,7 +2418,6 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_aiding_timebase,
     &mip_names_aiding_axis_flags,
     &mip_names_aiding_llh_axis_flags,
-    &mip_names_system_comm_interface,
     &mip_names_system_comm_protocols,
     &mip_names_system_protocol_mode,
     &mip_names_sensor_overrange_flags,

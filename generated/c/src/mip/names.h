@@ -64,6 +64,8 @@ extern MIP_API const struct mip_names mip_names_gpio_pin_mode;
 extern MIP_API const struct mip_names mip_names_nmea_message_id;
 /** nmea_talker_id */
 extern MIP_API const struct mip_names mip_names_nmea_talker_id;
+/** comm_interface */
+extern MIP_API const struct mip_names mip_names_comm_interface;
 /** rtk_status_flags */
 extern MIP_API const struct mip_names mip_names_rtk_status_flags;
 /** rtk_status_flags_legacy */
@@ -168,8 +170,6 @@ extern MIP_API const struct mip_names mip_names_aiding_timebase;
 extern MIP_API const struct mip_names mip_names_aiding_axis_flags;
 /** aiding.llh_axis_flags */
 extern MIP_API const struct mip_names mip_names_aiding_llh_axis_flags;
-/** system.comm_interface */
-extern MIP_API const struct mip_names mip_names_system_comm_interface;
 /** system.comm_protocols */
 extern MIP_API const struct mip_names mip_names_system_comm_protocols;
 /** system.protocol_mode */

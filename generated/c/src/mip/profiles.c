@@ -1083,8 +1083,10 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
 };
 
 static const struct mip_profile_reading cv7_gnss_ins_readings[] = {
+    {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
     {"base.continuous_built_in_test_response.result", "cv7_continuous_built_in_test"},
+    {"base.comm_speed_response.port", "comm_interface"},
     {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
@@ -1108,7 +1110,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     6,    /* ports */
     24,   /* limits */
     10,   /* notes */
-    6,    /* readings */
+    8,    /* readings */
     7,    /* acknowledge codes */
     NULL,
     NULL,

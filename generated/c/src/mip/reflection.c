@@ -362,12 +362,15 @@ static const struct mip_record record_base_continuous_built_in_test = {
     sizeof(struct mip_base_continuous_built_in_test),
 };
 
+static const struct mip_reading readings_base_comm_speed_port[] = {
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_comm_interface},
+};
 static const struct mip_parameter parameters_base_comm_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_comm_speed, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
      0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_base_comm_speed, port), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed, port), 0, NULL, readings_base_comm_speed_port, NULL, NULL, 1},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_base_comm_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -486,9 +489,13 @@ static const struct mip_record record_base_continuous_built_in_test_response = {
     sizeof(struct mip_base_continuous_built_in_test_response),
 };
 
+static const struct mip_reading readings_base_comm_speed_response_port[] = {
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_comm_interface},
+};
 static const struct mip_parameter parameters_base_comm_speed_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_speed_response, port), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed_response, port), 0, NULL,
+     readings_base_comm_speed_response_port, NULL, NULL, 1},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_comm_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4444,8 +4451,8 @@ static const struct mip_parameter parameters_system_interface_control[] = {
      ONE(struct mip_system_interface_control, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_interface_control, port), 0, &mip_names_system_comm_interface, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_system_interface_control, port), 0, &mip_names_comm_interface, NULL, NULL, NULL,
+     0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_system_interface_control, protocols_incoming), 0,
      &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},
@@ -4477,8 +4484,8 @@ static const uint8_t required_system_comm_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_system_interface_control_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_interface_control_response, port), 0, &mip_names_system_comm_interface,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_system_interface_control_response, port), 0, &mip_names_comm_interface, NULL,
+     NULL, NULL, 0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_interface_control_response, protocols_incoming), 0,
      &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},

@@ -22,30 +22,6 @@ extern "C" {
 #define MIP_SYSTEM_SET 0x7F
 
 /**
- * A port of a device.
- *
- * - mip-sdk-4: Interface Control (0x7F,0x02)
- */
-enum mip_system_comm_interface {
-    /** All ports. */
-    MIP_SYSTEM_COMM_INTERFACE_ALL = 0,
-    /** The main port: USB while it is connected, else the main UART. */
-    MIP_SYSTEM_COMM_INTERFACE_MAIN = 1,
-    /** The first port that is a UART or can be one. */
-    MIP_SYSTEM_COMM_INTERFACE_UART_1 = 17,
-    /** The second UART. */
-    MIP_SYSTEM_COMM_INTERFACE_UART_2 = 18,
-    /** The third UART. */
-    MIP_SYSTEM_COMM_INTERFACE_UART_3 = 19,
-    /** First virtual serial port of USB. */
-    MIP_SYSTEM_COMM_INTERFACE_USB_1 = 33,
-    /** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
-    MIP_SYSTEM_COMM_INTERFACE_USB_2 = 34
-};
-
-/** The name of a value in the specification; NULL if it has none. */
-MIP_API const char *mip_system_comm_interface_name(uint8_t value);
-/**
  * Protocols of a port.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
@@ -104,8 +80,7 @@ struct mip_system_interface_control {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read accept
-     * `all`.
+     * The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that it receives. Required for write. */
@@ -137,7 +112,7 @@ static inline mip_error mip_system_interface_control_encode(
 }
 /** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
-    struct mip_system_interface_control *command, enum mip_system_comm_interface port,
+    struct mip_system_interface_control *command, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -148,7 +123,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 }
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
-    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     command->port = (uint8_t)port;
@@ -156,7 +131,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
-    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     command->port = (uint8_t)port;
@@ -164,7 +139,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 }
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
-    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     command->port = (uint8_t)port;
@@ -172,7 +147,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
-    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     command->port = (uint8_t)port;
@@ -189,8 +164,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
  */
 struct mip_system_interface_control_response {
     /**
-     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read accept
-     * `all`.
+     * The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept `all`.
      */
     uint8_t port;
     /** Protocols that it receives. */

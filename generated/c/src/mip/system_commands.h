@@ -33,7 +33,7 @@ static inline mip_error mip_send_system_interface_control(
 
 /** Interface control: write. Apply the new setting. See mip_device_call. */
 static inline struct mip_result mip_call_system_interface_control_write(
-    struct mip_device *device, enum mip_system_comm_interface port,
+    struct mip_device *device, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
     struct mip_system_interface_control command;
     return mip_device_call(
@@ -43,9 +43,9 @@ static inline struct mip_result mip_call_system_interface_control_write(
 }
 
 /** Interface control: read. Return the current setting in a response. See mip_device_call. */
-static inline struct mip_result mip_call_system_interface_control_read(
-    struct mip_device *device, enum mip_system_comm_interface port,
-    struct mip_system_interface_control_response *response) {
+static inline struct mip_result
+mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_interface port,
+                                       struct mip_system_interface_control_response *response) {
     struct mip_system_interface_control command;
     return mip_device_call(device, &mip_system_interface_control_command,
                            mip_system_interface_control_read(&command, port),
@@ -55,24 +55,24 @@ static inline struct mip_result mip_call_system_interface_control_read(
 /**
  * Interface control: save. Save the current setting to non-volatile memory. See mip_device_call.
  */
-static inline struct mip_result mip_call_system_interface_control_save(
-    struct mip_device *device, enum mip_system_comm_interface port) {
+static inline struct mip_result
+mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_interface port) {
     struct mip_system_interface_control command;
     return mip_device_call(device, &mip_system_interface_control_command,
                            mip_system_interface_control_save(&command, port), NULL, NULL);
 }
 
 /** Interface control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_system_interface_control_load(
-    struct mip_device *device, enum mip_system_comm_interface port) {
+static inline struct mip_result
+mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_interface port) {
     struct mip_system_interface_control command;
     return mip_device_call(device, &mip_system_interface_control_command,
                            mip_system_interface_control_load(&command, port), NULL, NULL);
 }
 
 /** Interface control: default. Load the factory default setting. See mip_device_call. */
-static inline struct mip_result mip_call_system_interface_control_default(
-    struct mip_device *device, enum mip_system_comm_interface port) {
+static inline struct mip_result
+mip_call_system_interface_control_default(struct mip_device *device, enum mip_comm_interface port) {
     struct mip_system_interface_control command;
     return mip_device_call(device, &mip_system_interface_control_command,
                            mip_system_interface_control_default(&command, port), NULL, NULL);

@@ -1166,6 +1166,32 @@ struct mip_nmea_message {
 };
 
 /**
+ * A port of a device.
+ *
+ * - 3dm-cv7-gnss-ins: Ports
+ * - mip-sdk-4: Interface Control (0x7F,0x02)
+ */
+enum mip_comm_interface {
+    /** All ports. */
+    MIP_COMM_INTERFACE_ALL = 0,
+    /** The main port: USB while it is connected, else the main UART. */
+    MIP_COMM_INTERFACE_MAIN = 1,
+    /** The first port that is a UART or can be one. */
+    MIP_COMM_INTERFACE_UART_1 = 17,
+    /** The second UART. */
+    MIP_COMM_INTERFACE_UART_2 = 18,
+    /** The third UART. */
+    MIP_COMM_INTERFACE_UART_3 = 19,
+    /** First virtual serial port of USB. */
+    MIP_COMM_INTERFACE_USB_1 = 33,
+    /** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
+    MIP_COMM_INTERFACE_USB_2 = 34
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_comm_interface_name(uint8_t value);
+
+/**
  * State of the modem and of the corrections. Models of another kind send
  * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says
  * only that the model number decides it. Uncertain: Other software of the vendor evaluates

@@ -1017,7 +1017,7 @@ const { bitsOf, enumValue, unitOf } = modules["mip/names"];
 const { SHARED_SET } = modules["mip/protocol"];
 
 function hexByte(number) {
-    return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
+    return hexLiteral(number, 1);
 }
 
 function spacedHex(bytes) {
@@ -1065,8 +1065,8 @@ function general(number, digits) {
     return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
-/** A number of so many bytes in hexadecimal. */
-function hexLiteral(value, size) {
+/** A number in hexadecimal, with all digits of so many bytes. */
+function hexLiteral(value, size = 0) {
     return `0x${BigInt(value)
         .toString(16)
         .toUpperCase()
@@ -1113,12 +1113,7 @@ function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value)
-            ? spacedHex(value)
-            : `0x${value
-                  .toString(16)
-                  .toUpperCase()
-                  .padStart(2 * size, "0")}`;
+        const text = Array.isArray(value) ? spacedHex(value) : hexLiteral(value, size);
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
@@ -1145,7 +1140,7 @@ function choicesOf(protocol, parameter, values, outer) {
 
 /** "fix_valid", "quality = 3", or "state = ready". */
 function flagText({ bits, value, flag, named, rest }) {
-    if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
+    if (rest !== undefined) return `${hexLiteral(rest)} has no name`;
     return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
 }
 
@@ -1713,7 +1708,7 @@ function numberText(names, parameter, op, value, { float, known, flags, other })
         const found = flagsOf(type, value);
         return found.length
             ? flags(found.map((bits) => names.constant(type, bits)).join(" | "))
-            : other(type, `0x${BigInt(value).toString(16)}`);
+            : other(type, hexLiteral(value).toLowerCase());
     }
     return parameter.shown ? hexLiteral(value, size) : String(value);
 }
@@ -1865,7 +1860,7 @@ function cValue(names, parameter, op, value) {
 function cNumber(value, size, form) {
     const number = BigInt(value);
     if (number < 0n) return String(value);
-    const text = form ?? (number < 0x8000n ? String(value) : `0x${number.toString(16).toUpperCase()}`);
+    const text = form ?? (number < 0x8000n ? String(value) : hexLiteral(number));
     if (size === 8) return `UINT64_C(${text})`;
     return number > 0x7fffn && size === 4 ? `UINT32_C(${text})` : text;
 }
@@ -1913,7 +1908,7 @@ function pythonValue(names, record, parameter, op, value) {
         case "text":
             return `"${printable(value).replace(/["\\]/g, "\\$&")}"`;
         case "bits":
-            return `${names.type(names.named(op))}(0x${bitsNumber(value).toString(16)})`;
+            return `${names.type(names.named(op))}(${hexLiteral(bitsNumber(value)).toLowerCase()})`;
         case "array": {
             const items = value.map((one) => pythonValue(names, record, parameter, op.item, one));
             return `(${items.join(", ")}${items.length === 1 ? "," : ""})`;
@@ -2034,7 +2029,7 @@ return { LANGUAGES, programOf, responseTo };
 modules["tools/build"] = (() => {
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
-const { fromHex, readFloat } = modules["mip/bytes"];
+const { fromHex, readFloat, toHex } = modules["mip/bytes"];
 const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
 const { buildPacket } = modules["mip/packet"];
 const { namedType, parameterOf } = modules["mip/names"];
@@ -2283,7 +2278,7 @@ function answerOf(protocol, field, values) {
 /** The bytes as source code. */
 function sourceOf(bytes, language) {
     const list = Array.from(bytes, hexByte).join(", ");
-    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
+    const plain = `\\x${toHex(bytes, "\\x")}`;
     return {
         c: `static const uint8_t packet[] = {${list}};`,
         python: `packet = b"${plain}"`,
@@ -2600,6 +2595,8 @@ function builder(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
     const choice = element("select", { id: "mip-field" });
+    const start = startOf(protocol, options.field ?? "");
+    const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
     const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
 
@@ -2652,7 +2649,10 @@ function builder(root, protocol, options = {}) {
         layOut();
         show();
     };
-    const choose = (name, selector) => begin([entryOf(protocol, protocol.field(name), selector)]);
+    const choose = (name, selector) => {
+        problem.remove();
+        begin([entryOf(protocol, protocol.field(name), selector)]);
+    };
 
     choice.addEventListener("input", () => choose(choice.value));
     deviceChoice.addEventListener("input", () => {
@@ -2667,11 +2667,11 @@ function builder(root, protocol, options = {}) {
         forms,
         output,
     );
-    const start = startOf(protocol, options.field ?? "");
     state.device = start.device;
     deviceChoice.value = start.device?.id ?? "";
     if (start.entries) begin(start.entries, start.set);
     else choose(start.name ?? protocol.model.sets[0].fields[0]);
+    if (start.problem) forms.before(problem);
     return { choose, state: () => state };
 }
 
@@ -2687,7 +2687,7 @@ function startOf(protocol, text) {
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
     }
-    return { device };
+    return { device, problem: rest && "The address has neither the name of a field nor a packet whose fields are all known." };
 }
 
 function entryOf(protocol, field, selector) {
@@ -3003,7 +3003,7 @@ function bitsInput(name, type, value, set) {
     };
     const change = (changed) => {
         number = changed;
-        whole.value = `0x${number.toString(16).toUpperCase()}`;
+        whole.value = hexLiteral(number);
         showAll();
         set(number);
     };
@@ -3014,7 +3014,7 @@ function bitsInput(name, type, value, set) {
         showAll();
         set(number);
     });
-    whole.value = `0x${number.toString(16).toUpperCase()}`;
+    whole.value = hexLiteral(number);
     showAll();
     const controls = named.map(({ bits, control }) => labelled(bits.name, control, " ", element("small", {}, bits.description)));
     return group(name, type.description, [labelled("value", whole), ...controls]);

@@ -49,7 +49,13 @@
         addEventListener("hashchange", show);
     }
 
-    /** From the page of a field to the tools: the builder begins with the field, the inspector with the bytes. */
+    /** A link to a tool that begins with a packet. */
+    function openIn(tool, word, bytes) {
+        const href = `${site}tools/${tool}.html#${encodeURIComponent(bytes)}`;
+        return element("a", { href, "aria-label": `${word} ${bytes.slice(0, 17)} …` }, word);
+    }
+
+    /** From the page of a field to the tools: the builder begins with the field, or with the values of a packet. */
     function linkTools() {
         const field = document.querySelector("article :is(h1, a)[id*='.']")?.id;
         for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
@@ -58,17 +64,36 @@
         for (const code of document.querySelectorAll("article :is(td, pre) > code")) {
             const bytes = code.textContent.trim();
             if (!/^75 65( [0-9A-F]{2}){4,}$/.test(bytes)) continue;
-            const href = `${site}tools/inspector.html#${encodeURIComponent(bytes)}`;
-            const link = element("a", { href, class: "mip-inspect", "aria-label": `Inspect ${bytes.slice(0, 17)} …` }, "inspect");
-            if (code.parentElement.tagName === "PRE") code.parentElement.after(link);
-            else code.after(" ", link);
+            const links = element("span", { class: "mip-open" }, openIn("inspector", "inspect", bytes));
+            const answer = /^75 65 [0-7]. .. .. F1/.test(bytes);
+            if (!answer) links.append(" ", openIn("builder", "edit", bytes));
+            if (code.parentElement.tagName === "PRE") code.parentElement.after(links);
+            else code.after(" ", links);
             code.closest("td")?.classList.add("mip-packet-cell");
         }
     }
 
-    /** What scrolls by itself can be reached by the keyboard. */
+    const LONG = 30; // characters of a description, which needs a column of some width
+
+    /** Names in a table that is too wide may break between their words. */
+    function breakNames(table) {
+        const texts = document.createTreeWalker(table, NodeFilter.SHOW_TEXT);
+        const found = [];
+        while (texts.nextNode()) found.push(texts.currentNode);
+        for (const text of found) {
+            const parts = text.data.split(/(?<=[a-z0-9][_.*](?=[a-z0-9]))|(?<=\w::)|(?=\[)/i);
+            if (parts.length > 1) text.replaceWith(...parts.flatMap((part, i) => (i ? [element("wbr", {}), part] : [part])));
+        }
+        const last = Math.max(...[...table.rows].map((row) => row.lastElementChild.textContent.length));
+        table.dataset.narrow = last < LONG ? "short" : "long";
+    }
+
+    /** What is too wide for the window breaks, and if that is not enough, scrolls by itself and can be reached by the keyboard. */
     function reachable() {
-        for (const box of document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")) {
+        const boxes = document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)");
+        const wide = [...boxes].filter((box) => box.scrollWidth > box.clientWidth);
+        for (const box of wide) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
+        for (const box of boxes) {
             if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
         }

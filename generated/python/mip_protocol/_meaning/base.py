@@ -127,7 +127,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("port", "port", "scalar", description="Port id of the device; 0 means all ports, and is for save, load and default only.", scalar="u8", required=("write", "read", "save", "load", "default")),
+            Parameter("port", "port", "scalar", description="Port id of the device; 0 means all ports, and is for save, load and default only.", facts=("On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.",), scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.", {"type": types.CommInterface}),)),
             Parameter("baud", "baud", "scalar", description="Baud rate; one that the port supports.", facts=("Unit: Bd.", "Required for `write`."), scalar="u32", units=("Bd",), required=("write",)),
         ),
     ),
@@ -243,7 +243,7 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("port", "port", "scalar", description="Port id of the device; 0 means all ports, and is for save, load and default only.", scalar="u8"),
+            Parameter("port", "port", "scalar", description="Port id of the device; 0 means all ports, and is for save, load and default only.", facts=("On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.",), scalar="u8", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.", {"type": types.CommInterface}),)),
             Parameter("baud", "baud", "scalar", description="Baud rate; one that the port supports.", facts=("Unit: Bd.",), scalar="u32", units=("Bd",)),
         ),
     ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .. import protocol, system
+from .. import protocol, system, types
 from ..info import BitInfo, BitsInfo, EnumInfo, FieldInfo, Info, SetInfo, ValueInfo
 from ..parameter import Parameter, Variant
 
@@ -11,18 +11,6 @@ SET = SetInfo("system", number=0x7F, title="System", description="Advanced comma
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
-    "CommInterface": EnumInfo(
-        "system.comm_interface", type=system.CommInterface, description="A port of a device.", sources=("mip-sdk-4: Interface Control (0x7F,0x02)",),
-        values=(
-            ValueInfo("all", value=0, description="All ports."),
-            ValueInfo("main", value=1, description="The main port: USB while it is connected, else the main UART."),
-            ValueInfo("uart_1", value=17, description="The first port that is a UART or can be one."),
-            ValueInfo("uart_2", value=18, description="The second UART."),
-            ValueInfo("uart_3", value=19, description="The third UART."),
-            ValueInfo("usb_1", value=33, description="First virtual serial port of USB."),
-            ValueInfo("usb_2", value=34, description="Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."),
-        ),
-    ),
     "CommProtocols": BitsInfo(
         "system.comm_protocols", type=system.CommProtocols, description="Protocols of a port.", sources=("mip-sdk-4: Interface Control (0x7F,0x02)",),
         bits=(
@@ -50,7 +38,7 @@ TYPES: dict[str, Info] = {
         perhaps=("3dm-cv7-gnss-ins",),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", required=("write", "read", "save", "load", "default"), type=system.CommInterface),
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", required=("write", "read", "save", "load", "default"), type=types.CommInterface),
             Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it receives.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
             Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it sends.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
         ),
@@ -76,7 +64,7 @@ TYPES: dict[str, Info] = {
         sources=("mip-sdk-4: Interface Control (0x7F,0x02)", "3dm-cv7-gnss-ins: Ports"),
         perhaps=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", type=system.CommInterface),
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read accept `all`.",), scalar="u8", type=types.CommInterface),
             Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it receives.", scalar="u32", type=system.CommProtocols),
             Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it sends.", scalar="u32", type=system.CommProtocols),
         ),

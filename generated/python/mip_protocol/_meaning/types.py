@@ -392,6 +392,18 @@ TYPES: dict[str, Info] = {
             Parameter("decimation", "decimation", "scalar", description="Base rate of the source descriptor set divided by the desired rate; a poll ignores it.", scalar="u16"),
         ),
     ),
+    "CommInterface": EnumInfo(
+        "comm_interface", type=types.CommInterface, description="A port of a device.", sources=("3dm-cv7-gnss-ins: Ports", "mip-sdk-4: Interface Control (0x7F,0x02)"),
+        values=(
+            ValueInfo("all", value=0, description="All ports."),
+            ValueInfo("main", value=1, description="The main port: USB while it is connected, else the main UART."),
+            ValueInfo("uart_1", value=17, description="The first port that is a UART or can be one."),
+            ValueInfo("uart_2", value=18, description="The second UART."),
+            ValueInfo("uart_3", value=19, description="The third UART."),
+            ValueInfo("usb_1", value=33, description="First virtual serial port of USB."),
+            ValueInfo("usb_2", value=34, description="Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."),
+        ),
+    ),
     "RtkStatusFlags": BitsInfo(
         "rtk_status_flags", type=types.RtkStatusFlags, description="State of the modem and of the corrections. Models of another kind send `types.RtkStatusFlagsLegacy`.", facts=("Uncertain: Which model sends which of the two forms. The SDK says only that the model number decides it.", "Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.", "Uncertain: The SDK gives the names only; the descriptions follow from them. The meaning of the values is not known."), sources=("mip-sdk-4: Get Status Flags (0x0F,0x01)",),
         bits=(

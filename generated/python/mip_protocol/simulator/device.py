@@ -27,6 +27,7 @@ from .checks import NOTHING
 from .codes import DEFAULT, LOAD, SAVE
 from .commands import carry_out
 from .effects import act
+from .events import Events
 from .faults import Faults
 from .link import Link
 from .motion import Motion, Standing, parse_motion
@@ -90,8 +91,10 @@ class VirtualDevice:
         self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
         self.trace = trace
         self._streams: list[Stream] = []
-        self._encoders: dict[tuple[int, int], Encoder] = {}
+        self._encoders: dict[tuple[int, int, str], Encoder] = {}
         self._disturbed = DISTURBANCE_TIME
+        self.events = Events(self)
+        self._waves: list[Stream] = []
         self._settle()
 
     # ----------------------------------------------------------------------- the host's side
@@ -115,6 +118,22 @@ class VirtualDevice:
             self.faults.forget(self.now, link)
         self.links = [other for other in self.links if other is not link]
 
+    def drive(self, pin: int, level: bool) -> None:
+        """A signal from outside gives a pin this level, which counts while the pin is an input."""
+        before = self.world.level(pin)
+        self.world.signals[pin] = level
+        if self.world.level(pin) != before:
+            self.events.changed(pin, level)
+
+    def wave(self, pin: int, hertz: float) -> None:
+        """A square wave at a pin, low at first."""
+        change = [(1, pin)]
+        self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
+
+    def _change(self, pins: list[int]) -> None:
+        for pin in pins:
+            self.drive(pin, not self.world.signals.get(pin, False))
+
     def advance(self, seconds: float) -> None:
         """Time passes."""
         self.run_until(self.now + round(seconds * SECOND))
@@ -129,11 +148,15 @@ class VirtualDevice:
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
+            for wave in self._waves:
+                if wave.next <= due:
+                    wave.fire()
             if self._busy_until is not None and self._busy_until <= due:
                 self._go_on()
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
+            self.events.run(due)
             if self.faults is not None and self._disturbed <= due:
                 self._disturb()
         self._move(max(self.now, time))
@@ -141,10 +164,10 @@ class VirtualDevice:
     @property
     def next(self) -> int | None:
         """When something happens next without the host."""
-        times = [stream.next for stream in self._streams]
+        times = [stream.next for stream in (*self._streams, *self._waves)]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
-        times += [] if self._busy_until is None else [self._busy_until]
+        times += [t for t in (self._busy_until, self.events.next) if t is not None]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -153,7 +176,8 @@ class VirtualDevice:
     def busy(self) -> bool:
         """Does it have something to send, now or later, by itself?"""
         late = any(link.next is not None for link in self.links)
-        return bool(self._streams) or late or self._busy_until is not None
+        streams = bool(self._streams) or self.events.sends
+        return streams or late or self._busy_until is not None
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
@@ -165,6 +189,7 @@ class VirtualDevice:
         self._behind.clear()
         self.idle = self.direct = False
         self.world.pins.clear()
+        self.world.pulled_up.clear()
         self.booted = self.now
         self._ready_at = self.now + BOOT_TIME
         self._settle()
@@ -244,6 +269,7 @@ class VirtualDevice:
         """No data for a while."""
         for stream in self._streams:
             stream.skip(self.now + time)
+        self.events.skip(self.now + time)
 
     # ----------------------------------------------------------------------- settings
 
@@ -289,6 +315,7 @@ class VirtualDevice:
             self.apply(at, kept)
         ports.arrange(self)
         self.arrange()
+        self.events.reset()
 
     def has_effect(self, effect: str) -> bool:
         """Does the device know a command with this effect?"""
@@ -303,6 +330,7 @@ class VirtualDevice:
 
     def disable_trigger(self, instance: int) -> None:
         """The mode of a trigger is the default again."""
+        self.events.keep_mode(instance, None)
         for name, behavior in COMMANDS.items():
             if behavior.effect == "trigger_mode":
                 self.settings.reset((name, (instance,)))
@@ -318,13 +346,14 @@ class VirtualDevice:
         quiet = self.idle or self.direct
         self._streams = [] if quiet else formats.streams(self, max(self.now, self._ready_at))
 
-    def encoder(self, set: int, descriptor: int) -> Encoder:
-        """Makes the data of a field for this moment."""
-        found = self._encoders.get((set, descriptor))
+    def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
+        """Makes the data of a field for this moment. Each channel counts from when it last sent a field."""
+        found = self._encoders.get((set, descriptor, channel))
         if found is None:
             kind = registry.types(set, descriptor)[0]
-            encode = values.encoder(kind, self.profile, self.world, set)
-            found = self._encoders[set, descriptor] = partial(_fields, set, descriptor, encode)
+            encode = values.encoder(kind, self.profile, self.world, set, channel)
+            found = partial(_fields, set, descriptor, encode)
+            self._encoders[set, descriptor, channel] = found
         return found
 
     def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:

@@ -76,13 +76,12 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 
 
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """Type and state. A trigger in a test mode is active; others wait for a condition that never
-    becomes true."""
+    """Type and state. A trigger in a test mode is active."""
     modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
     found = []
     for instance in _asked(device, context, TRIGGERS):
         mode = modes.get(instance, 0)
-        state = {0: 0, 1: 0b010}.get(mode, 0b111)
+        state = {0: 0, 1: 0b010 | device.events.active(instance)}.get(mode, 0b111)
         found.append((trigger_type(device, instance), state))
     return found
 
@@ -166,7 +165,7 @@ QUANTITIES: dict[str, Quantity] = {
     "event.actions": _action_status,
     "port.incoming": _port_protocols(0),
     "port.outgoing": _port_protocols(1),
-    "pin.level": lambda device, context: device.world.pins.get(context["pin"], False),
+    "pin.level": lambda device, context: device.world.level(context["pin"]),
     "sensor.ranges": lambda device, context: RANGES.get(context["sensor"], ()),
     "receiver.list": _receivers,
 }

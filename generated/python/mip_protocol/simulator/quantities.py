@@ -107,7 +107,7 @@ _TIME: dict[str, Function] = {
     "external.delta": lambda w, out: w.now - out.previous,
     "ticks.count": lambda w, out: _ticks(w.now - w.booted, out),
     "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
-    "event.trigger": lambda w, _: 0,
+    "event.trigger": lambda w, _: w.trigger,
 }
 
 _SENSORS: dict[str, Function] = {
@@ -131,7 +131,9 @@ _SENSORS: dict[str, Function] = {
     "temperature.min": _temperature(-2.0),
     "temperature.max": _temperature(2.0),
     "temperature.mean": _temperature(0.0),
-    "gpio.states": lambda w, _: sum(1 << (pin - 1) for pin, level in w.pins.items() if level),
+    "gpio.states": lambda w, _: sum(
+        1 << (pin - 1) for pin in {*w.pins, *w.signals, *w.pulled_up} if w.level(pin)
+    ),
     "gpio.voltage": lambda w, _: 0.0,
 }
 

@@ -37,17 +37,20 @@ LARGEST = (2 - 2**-23) * 2.0**127
 _CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
 
 
-def encoder(kind: type[Field], profile: Device, world: World, set: int | None = None) -> Encoder:
+def encoder(
+    kind: type[Field], profile: Device, world: World, set: int | None = None, channel: str = ""
+) -> Encoder:
     """Gives the data of the fields to send now, without lengths and descriptors.
 
-    `set` is that of the packets, where the field is shared by all sets.
+    `set` is that of the packets, where the field is shared by all sets. What counts from the last time that it
+    was sent does so for each channel on its own.
     """
     set = kind.SET if set is None else set
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
         return lambda: [unchanging]
     source = VALUES.get(kind.NAME, _NOTHING)
-    simulated = _encoder(kind, profile, world, set, source)
+    simulated = _encoder(kind, profile, world, set, source, channel)
     motion = world.motion
     if not isinstance(motion, Replay) or not _recorded(source):
         return simulated
@@ -76,7 +79,7 @@ def _recorded(source: FieldValues) -> bool:
 
 
 def _encoder(
-    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
+    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues, channel: str
 ) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
     pack = _packer(layout)
@@ -91,7 +94,7 @@ def _encoder(
             (only,) = readers
             return lambda: [pack(*only(plain))]
         return lambda: [pack(*_joined(readers, plain))]
-    output = world.output(set, counting[0], rate)
+    output = world.output(set, counting[0], rate, channel)
 
     def encode() -> list[bytes]:
         output.begin(world)

@@ -1237,6 +1237,11 @@ pub static CV7_GNSS_INS: Device = Device {
     ],
     variants: &[
         Variant {
+            parameter: "base.comm_speed.port",
+            read_as: Some("comm_interface"),
+            difference: "values of comm_interface",
+        },
+        Variant {
             parameter: "base.built_in_test_response.result",
             read_as: Some("cv7_built_in_test"),
             difference: "values of cv7_built_in_test",
@@ -1245,6 +1250,11 @@ pub static CV7_GNSS_INS: Device = Device {
             parameter: "base.continuous_built_in_test_response.result",
             read_as: Some("cv7_continuous_built_in_test"),
             difference: "values of cv7_continuous_built_in_test",
+        },
+        Variant {
+            parameter: "base.comm_speed_response.port",
+            read_as: Some("comm_interface"),
+            difference: "values of comm_interface",
         },
         Variant {
             parameter: "3dm.imu_low_pass_filter.target_descriptor",

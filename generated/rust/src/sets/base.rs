@@ -430,6 +430,9 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
+        ///
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// [`types::CommInterface`].
         pub port: Option<u8>,
         /// Baud rate; one that the port supports.
         ///
@@ -460,6 +463,18 @@ constructors! {
 
     /// Load the factory default setting.
     fn load_default(port: u8) = DEFAULT;
+}
+
+#[rustfmt::skip]
+impl CommSpeed {
+    /// Reads `port` as [`types::CommInterface`].
+    ///
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`].
+    #[inline]
+    #[must_use]
+    pub fn port_as_comm_interface(&self) -> Option<types::CommInterface> {
+        self.port.map(Into::into)
+    }
 }
 
 field! {
@@ -835,11 +850,26 @@ record! {
     #[derive(Copy, Default, Eq, Hash)]
     pub struct CommSpeedResponse {
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
+        ///
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// [`types::CommInterface`].
         pub port: u8,
         /// Baud rate; one that the port supports.
         ///
         /// Unit: Bd.
         pub baud: u32,
+    }
+}
+
+#[rustfmt::skip]
+impl CommSpeedResponse {
+    /// Reads `port` as [`types::CommInterface`].
+    ///
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`types::CommInterface`].
+    #[inline]
+    #[must_use]
+    pub fn port_as_comm_interface(&self) -> types::CommInterface {
+        self.port.into()
     }
 }
 

@@ -8,28 +8,6 @@ use crate::types;
 /// The number of the descriptor set.
 pub const SET: u8 = 0x7F;
 
-open_enum! {
-    /// A port of a device.
-    ///
-    /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
-    CommInterface: u8 {
-        /// All ports.
-        ALL = 0, "all";
-        /// The main port: USB while it is connected, else the main UART.
-        MAIN = 1, "main";
-        /// The first port that is a UART or can be one.
-        UART_1 = 17, "uart_1";
-        /// The second UART.
-        UART_2 = 18, "uart_2";
-        /// The third UART.
-        UART_3 = 19, "uart_3";
-        /// First virtual serial port of USB.
-        USB_1 = 33, "usb_1";
-        /// Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
-        USB_2 = 34, "usb_2";
-    }
-}
-
 bitfield! {
     /// Protocols of a port.
     ///
@@ -88,7 +66,7 @@ record! {
         /// The port.
         ///
         /// Uncertain: Whether write and read accept `all`.
-        pub port: Option<CommInterface>,
+        pub port: Option<types::CommInterface>,
         /// Protocols that it receives.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
@@ -111,22 +89,22 @@ constructors! {
 
     /// Apply the new setting.
     fn write(
-        port: CommInterface,
+        port: types::CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
     ) = WRITE;
 
     /// Return the current setting in a response.
-    fn read(port: CommInterface) = READ;
+    fn read(port: types::CommInterface) = READ;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: CommInterface) = SAVE;
+    fn save(port: types::CommInterface) = SAVE;
 
     /// Load the saved setting.
-    fn load(port: CommInterface) = LOAD;
+    fn load(port: types::CommInterface) = LOAD;
 
     /// Load the factory default setting.
-    fn load_default(port: CommInterface) = DEFAULT;
+    fn load_default(port: types::CommInterface) = DEFAULT;
 }
 
 field! {
@@ -211,7 +189,7 @@ record! {
         /// The port.
         ///
         /// Uncertain: Whether write and read accept `all`.
-        pub port: CommInterface,
+        pub port: types::CommInterface,
         /// Protocols that it receives.
         pub protocols_incoming: CommProtocols,
         /// Protocols that it sends.

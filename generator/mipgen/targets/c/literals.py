@@ -47,10 +47,15 @@ def string(text: str | None) -> str:
     """
     if text is None:
         return "NULL"
-    out = ""
-    for byte in " ".join(text.split()).encode("utf-8"):
-        out += {0x22: '\\"', 0x5C: "\\\\"}.get(byte, chr(byte) if 0x20 <= byte < 0x7F else f"\\{byte:03o}")
+    out = _SPECIAL.sub(_escaped, " ".join(text.split()))
     return f'"{out.replace("??", "?" + chr(92) + "?")}"'
+
+
+_SPECIAL = re.compile(r'["\\]|[^ -~]')
+
+
+def _escaped(found: re.Match[str]) -> str:
+    return f"\\{found[0]}" if found[0] in '"\\' else "".join(f"\\{byte:03o}" for byte in found[0].encode("utf-8"))
 
 
 def version_number(version: str) -> int:

@@ -36,8 +36,18 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
 }
 
 
+#: The model whose document was made last, and its text: several targets have it in one of their files.
+_last: list[Any] = [None, ""]
+
+
 def text(model: m.Model) -> str:
     """The document: one line for each item of a list."""
+    if _last[0] is not model:
+        _last[:] = model, _text(model)
+    return str(_last[1])
+
+
+def _text(model: m.Model) -> str:
     parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in document(model).items())
     return f"{{\n{parts}\n}}"
 
@@ -56,8 +66,8 @@ def lines(f: m.Field, typical: Typical) -> str:
     return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in found.items()) + "\n}"
 
 
-def line(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+#: A value in one line.
+line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 
 
 def document(model: m.Model) -> dict[str, Any]:
@@ -105,6 +115,8 @@ def plain(value: Any) -> Any:
     if type(value) in (str, int, float, bool):
         return value
     match value:
+        case tuple() | list():
+            return [plain(v) for v in value]
         case m.Field():
             return value.full_name
         case m.Scalar() | m.Enum() | m.Bitfield() | m.Vector() | m.Struct():
@@ -117,8 +129,6 @@ def plain(value: Any) -> Any:
             return _support(value)
         case bytes():
             return value.hex()
-        case tuple() | list():
-            return [plain(v) for v in value]
         case dict():
             return {key: plain(v) for key, v in value.items()}
     if isinstance(value, m.Operation):
@@ -128,7 +138,11 @@ def plain(value: Any) -> Any:
 
 def _attributes(thing: Any) -> dict[str, Any]:
     """The attributes of an object of the model, and what is added to them."""
-    found = {name: plain(v) for name, default in _written(type(thing)) if _said(v := getattr(thing, name), default)}
+    found = {
+        name: plain(v)
+        for name, default in _written(type(thing))
+        if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
+    }
     match thing:
         case m.Parameter():
             return _parameter(thing, found)

@@ -41,12 +41,7 @@ def named(page: Page, guide: Guide) -> list[str]:
 
 def with_field(page: Page, f: m.Field) -> list[Guide]:
     """The guides that use a field in a step or in data."""
-    return [g for g in page.model.guides if any(f.full_name in _used(s.steps) for s in g.sequences)]
-
-
-def _used(steps: Iterable[Step]) -> set[str]:
-    """The full names of the fields that are sent and that come as data."""
-    return {f.full_name for step in steps for f in (step.command, *(x.field for t in step.data for x in t.fields))}
+    return page.index.guides.get(f.full_name, [])
 
 
 # --------------------------------------------------------------------------- packets
@@ -171,7 +166,7 @@ def _number(value: float | None) -> str:
 
 def doubts(page: Page, steps: Steps) -> list[str]:
     """Why a device is only believed to take what the sequence uses."""
-    used = _used(steps.steps)
+    used = steps.used
     return [
         f"It is not certain that the {page.link(d)} has {page.link(s.field)}: {page.prose(s.evidence)}"
         for d in steps.devices

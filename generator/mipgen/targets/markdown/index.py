@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from ... import model as m
+from ...guided import Guide
 from ...typical import Typical
 from ..rust.snippets import Snippets
 
@@ -100,6 +101,12 @@ class Index:
     def _examples(self) -> dict[str, list[m.Example]]:
         parts = [(x, part) for x in self.model.examples for part in x.fields]
         return _grouped((name, x) for x, part in parts for name in self.shown(x, part))
+
+    @cached_property
+    def guides(self) -> dict[str, list[Guide]]:
+        """Field -> the guides that use it in a step or in data."""
+        used = [(g, set[str]().union(*(s.used for s in g.sequences))) for g in self.model.guides]
+        return _grouped((name, g) for g, names in used for name in names)
 
     # ----------------------------------------------------------------------- users of types
 

@@ -130,10 +130,19 @@ def label(thing: Thing) -> str:
     return code(thing.name)
 
 
-@cache
 def _relative(path: str, page: str) -> str:
-    """The path as a link on a page has it; most pages link the same few, and taking paths apart takes long."""
-    return "" if path == page else posixpath.relpath(path, posixpath.dirname(page))
+    """The path as a link on a page has it."""
+    if path == page:
+        return ""
+    folder, _, name = path.rpartition("/")
+    return _up(folder, page.rpartition("/")[0]) + name
+
+
+@cache
+def _up(folder: str, start: str) -> str:
+    """The way from one folder to another, with a slash behind it; there are few, and taking paths apart takes long."""
+    way = posixpath.relpath(folder or ".", start or ".")
+    return "" if way == "." else f"{way}/"
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 // What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
 
-import { fromHex, readFloat } from "../mip/bytes.mjs";
+import { fromHex, readFloat, toHex } from "../mip/bytes.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
 import { buildPacket } from "../mip/packet.mjs";
 import { namedType, parameterOf } from "../mip/names.mjs";
@@ -249,7 +249,7 @@ export function answerOf(protocol, field, values) {
 /** The bytes as source code. */
 export function sourceOf(bytes, language) {
     const list = Array.from(bytes, hexByte).join(", ");
-    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
+    const plain = `\\x${toHex(bytes, "\\x")}`;
     return {
         c: `static const uint8_t packet[] = {${list}};`,
         python: `packet = b"${plain}"`,

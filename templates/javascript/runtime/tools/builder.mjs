@@ -40,6 +40,8 @@ export function builder(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
     const choice = element("select", { id: "mip-field" });
+    const start = startOf(protocol, options.field ?? "");
+    const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
     const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
 
@@ -92,7 +94,10 @@ export function builder(root, protocol, options = {}) {
         layOut();
         show();
     };
-    const choose = (name, selector) => begin([entryOf(protocol, protocol.field(name), selector)]);
+    const choose = (name, selector) => {
+        problem.remove();
+        begin([entryOf(protocol, protocol.field(name), selector)]);
+    };
 
     choice.addEventListener("input", () => choose(choice.value));
     deviceChoice.addEventListener("input", () => {
@@ -107,11 +112,11 @@ export function builder(root, protocol, options = {}) {
         forms,
         output,
     );
-    const start = startOf(protocol, options.field ?? "");
     state.device = start.device;
     deviceChoice.value = start.device?.id ?? "";
     if (start.entries) begin(start.entries, start.set);
     else choose(start.name ?? protocol.model.sets[0].fields[0]);
+    if (start.problem) forms.before(problem);
     return { choose, state: () => state };
 }
 
@@ -127,7 +132,7 @@ function startOf(protocol, text) {
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
     }
-    return { device };
+    return { device, problem: rest && "The address has neither the name of a field nor a packet whose fields are all known." };
 }
 
 function entryOf(protocol, field, selector) {
@@ -443,7 +448,7 @@ function bitsInput(name, type, value, set) {
     };
     const change = (changed) => {
         number = changed;
-        whole.value = `0x${number.toString(16).toUpperCase()}`;
+        whole.value = hexLiteral(number);
         showAll();
         set(number);
     };
@@ -454,7 +459,7 @@ function bitsInput(name, type, value, set) {
         showAll();
         set(number);
     });
-    whole.value = `0x${number.toString(16).toUpperCase()}`;
+    whole.value = hexLiteral(number);
     showAll();
     const controls = named.map(({ bits, control }) => labelled(bits.name, control, " ", element("small", {}, bits.description)));
     return group(name, type.description, [labelled("value", whole), ...controls]);

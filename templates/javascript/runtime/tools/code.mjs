@@ -181,7 +181,7 @@ function numberText(names, parameter, op, value, { float, known, flags, other })
         const found = flagsOf(type, value);
         return found.length
             ? flags(found.map((bits) => names.constant(type, bits)).join(" | "))
-            : other(type, `0x${BigInt(value).toString(16)}`);
+            : other(type, hexLiteral(value).toLowerCase());
     }
     return parameter.shown ? hexLiteral(value, size) : String(value);
 }
@@ -333,7 +333,7 @@ function cValue(names, parameter, op, value) {
 function cNumber(value, size, form) {
     const number = BigInt(value);
     if (number < 0n) return String(value);
-    const text = form ?? (number < 0x8000n ? String(value) : `0x${number.toString(16).toUpperCase()}`);
+    const text = form ?? (number < 0x8000n ? String(value) : hexLiteral(number));
     if (size === 8) return `UINT64_C(${text})`;
     return number > 0x7fffn && size === 4 ? `UINT32_C(${text})` : text;
 }
@@ -381,7 +381,7 @@ function pythonValue(names, record, parameter, op, value) {
         case "text":
             return `"${printable(value).replace(/["\\]/g, "\\$&")}"`;
         case "bits":
-            return `${names.type(names.named(op))}(0x${bitsNumber(value).toString(16)})`;
+            return `${names.type(names.named(op))}(${hexLiteral(bitsNumber(value)).toLowerCase()})`;
         case "array": {
             const items = value.map((one) => pythonValue(names, record, parameter, op.item, one));
             return `(${items.join(", ")}${items.length === 1 ? "," : ""})`;

@@ -5,7 +5,7 @@ import { bitsOf, enumValue, unitOf } from "../mip/names.mjs";
 import { SHARED_SET } from "../mip/protocol.mjs";
 
 export function hexByte(number) {
-    return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
+    return hexLiteral(number, 1);
 }
 
 export function spacedHex(bytes) {
@@ -53,8 +53,8 @@ function general(number, digits) {
     return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
-/** A number of so many bytes in hexadecimal. */
-export function hexLiteral(value, size) {
+/** A number in hexadecimal, with all digits of so many bytes. */
+export function hexLiteral(value, size = 0) {
     return `0x${BigInt(value)
         .toString(16)
         .toUpperCase()
@@ -101,12 +101,7 @@ export function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value)
-            ? spacedHex(value)
-            : `0x${value
-                  .toString(16)
-                  .toUpperCase()
-                  .padStart(2 * size, "0")}`;
+        const text = Array.isArray(value) ? spacedHex(value) : hexLiteral(value, size);
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
@@ -133,7 +128,7 @@ export function choicesOf(protocol, parameter, values, outer) {
 
 /** "fix_valid", "quality = 3", or "state = ready". */
 export function flagText({ bits, value, flag, named, rest }) {
-    if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
+    if (rest !== undefined) return `${hexLiteral(rest)} has no name`;
     return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 
 use crate::packet::Packet;
-use crate::parser::{judge, Candidate, Found, Parser};
+use crate::parser::{judge, Candidate, Parser};
 
 /// Reads packets from a source.
 ///
@@ -66,7 +66,7 @@ impl<R: Read> PacketReader<R> {
     /// The errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
-            let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();
+            let rest = self.chunk.get(self.start..self.end).unwrap_or_default();
             if self.parser.is_empty() {
                 if let Candidate::Whole(size) = judge(rest) {
                     let first = self.start;
@@ -74,18 +74,14 @@ impl<R: Read> PacketReader<R> {
                     return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
                 }
             }
-            let found = self.parser.step(&mut rest).map(|found| match found {
-                Found::InBuffer => 0,
-                Found::InInput(packet) => packet.len(),
-            });
-            self.start = self.end.saturating_sub(rest.len());
-            match found {
-                Some(0) => return Ok(Some(self.parser.packet())),
-                Some(size) => {
-                    let first = self.start.saturating_sub(size);
-                    return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
-                }
-                None => {}
+            let (size, left) = self.parser.step(rest);
+            self.start = self.end.saturating_sub(left);
+            if self.parser.is_done() {
+                return Ok(Some(self.parser.packet()));
+            }
+            if size > 0 {
+                let first = self.start.saturating_sub(size);
+                return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
             }
             match self.source.read(&mut self.chunk) {
                 Ok(0) => break,

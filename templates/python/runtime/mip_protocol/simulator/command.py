@@ -72,6 +72,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MOTION",
         help="standing (default), circle:radius=20,speed=5, track:file=CSV or replay:file=LOG",
     )
+    add(
+        "--signal",
+        type=_signal,
+        action="append",
+        default=[],
+        metavar="PIN=HZ",
+        help="a square wave at a pin of the device",
+    )
     add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
     add(
         "--speed",
@@ -150,7 +158,7 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
         motion = parse_motion(options.motion)
     except MotionError as error:
         raise Failure(f"--motion {error}") from None
-    return VirtualDevice(
+    device = VirtualDevice(
         profile,
         motion=motion,
         seed=options.seed,
@@ -158,6 +166,9 @@ def _device(options: argparse.Namespace, profile: Device, faults: Faults | None)
         storage=options.storage,
         faults=faults,
     )
+    for pin, hertz in options.signal:
+        device.wave(pin, hertz)
+    return device
 
 
 def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
@@ -227,6 +238,12 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
         if paths.count(path) > 1:
             raise Failure(f"{path} is given for two terminals; choose different paths")
     return found or [pty_at("")]
+
+
+def _signal(text: str) -> tuple[int, float]:
+    pin, _, hertz = text.partition("=")
+    what = "signal; write PIN=HZ, such as 1=10"
+    return int(_number(pin, 1, 255, what)), _number(hertz, 1e-6, 1e6, what)
 
 
 def _seconds(text: str) -> float:

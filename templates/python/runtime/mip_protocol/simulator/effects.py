@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
-from . import formats, knowledge, ports, views
+from . import events, formats, knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
 from .earth import LAST_WEEK, WEEK
+from .names import named
 from .settings import arguments, command_type
 from .streams import SECOND
 
@@ -207,10 +208,22 @@ def _protocols(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _trigger(device: VirtualDevice, call: Call) -> Outcome:
-    """A trigger is disabled after its configuration."""
+    """A trigger is disabled after its configuration. It may watch only what the device sends."""
     if call.writes:
+        if call.values["set"] is not None and not events.can_watch(device, call.values):
+            raise Refused(INVALID_PARAMETER)
         device.disable_trigger(call.values["instance"])
-    return DONE
+    return Outcome(after=device.events.arrange)
+
+
+def _action(device: VirtualDevice, call: Call) -> Outcome:
+    """Refuses fields that the device does not send with the set."""
+    set = call.values["set"]
+    if call.writes and set is not None:
+        known = set in data_sets(device.profile)
+        if not known or not all(device.sends(set, x) for x in call.values["fields"]):
+            raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.events.arrange)
 
 
 def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
@@ -222,17 +235,25 @@ def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
         and call.values["mode"]
     ):
         raise Refused(COMMAND_FAILED)
-    return DONE
+    if call.writes:
+        pulse = call.values["mode"].name == "TEST_PULSE"
+        device.events.keep_mode(instance, device.settings.current(call.command) if pulse else None)
+    return Outcome(after=device.events.arrange)
 
 
 def _pin(device: VirtualDevice, call: Call) -> Outcome:
-    """A pin that becomes an output has the level of its behavior."""
+    """A pin that becomes an output has the level of its behavior; with a pull-up, an input is high."""
     feature, behavior, pin = call.values["feature"], call.values["behavior"], call.values["pin"]
     if feature == 1 and behavior in (2, 3):
         device.world.pins[pin] = behavior == 3
     else:
         device.world.pins.pop(pin, None)
-    return DONE
+    options = call.values["options"]
+    if options & named(type(options), ("pullup",)):
+        device.world.pulled_up.add(pin)
+    else:
+        device.world.pulled_up.discard(pin)
+    return Outcome(after=device.events.arrange)
 
 
 def _pin_state(device: VirtualDevice, call: Call) -> Outcome:
@@ -250,7 +271,7 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
 
 EFFECTS: dict[str, Effect] = {
     "accel_bias": _accel_bias,
-    "action": _nothing,
+    "action": _action,
     "all_settings": _all_settings,
     "baud_rate": _baud_rate,
     "capture": _capture,

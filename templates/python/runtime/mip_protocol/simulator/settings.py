@@ -212,10 +212,17 @@ def arguments(command: Command) -> dict[str, Any]:
     behavior = COMMANDS.get(command.NAME, NOTHING)
     found: dict[str, Any] = {}
     for name, given in behavior.arguments.items():
-        value = getattr(command, given) if isinstance(given, str) else given
+        value = _member(command, given) if isinstance(given, str) else given
         table = behavior.translate.get(given, {}) if isinstance(given, str) else {}
         found[name] = table.get(value, value) if isinstance(value, int) else value
     return found
+
+
+def _member(value: Any, path: str) -> Any:
+    """A parameter, or a member of one; None if it is not there, as in another case of a union."""
+    for name in path.split("."):
+        value = getattr(value, name, None)
+    return value
 
 
 def _write(kind: type[Command], given: dict[str, Any]) -> Command:

@@ -1,6 +1,6 @@
 //! Finds packets in a stream of bytes that arrives piece by piece.
 
-use crate::packet::{checksum, Packet, HEADER, MAX_PACKET, OVERHEAD};
+use crate::packet::{checksum, Packet, HEADER, HOST, MAX_PACKET, OVERHEAD};
 use crate::protocol::SYNC;
 
 /// Finds the packets in a stream that arrives in chunks of any size.
@@ -30,18 +30,11 @@ pub struct Parser {
     length: u16,
     /// The size of the packet in the buffer that was returned last.
     done: u16,
-    /// How many bytes are needed to judge the candidate in the buffer.
+    /// How many more bytes are needed to judge the candidate in the buffer; 0 behind a packet.
     missing: u16,
     /// The low word and the high one: with the alignment of 64 bits, clearing the memory of a parser
     /// and of a client is not the same function on microcontrollers.
     skipped: [u32; 2],
-}
-
-/// Where a packet is.
-pub(crate) enum Found<'i> {
-    InBuffer,
-    /// The last bytes that were removed from the input.
-    InInput(&'i [u8]),
 }
 
 /// What the bytes starting at a possible sync are.
@@ -54,20 +47,22 @@ pub(crate) enum Candidate {
 
 #[inline]
 pub(crate) fn judge(bytes: &[u8]) -> Candidate {
-    let [first, second] = SYNC;
+    let [first, _] = SYNC;
     match *bytes {
-        [a, ..] if a != first => Candidate::Bad,
-        [_, b, ..] if b != second => Candidate::Bad,
-        [_, _, 0, ..] => Candidate::Bad,
-        [_, _, _, length, ..] => {
+        [a, b, set, length, ..] if [a, b] == SYNC && set > 0 => {
             let size = usize::from(length).saturating_add(OVERHEAD);
-            match bytes.get(..size) {
-                Some([head @ .., a, b]) if [*a, *b] == checksum(head) => Candidate::Whole(size),
-                Some(_) => Candidate::Bad,
-                None => Candidate::Open(size),
+            let end = size.saturating_sub(2);
+            match (bytes.get(..end), bytes.get(end..size).map(<[u8; 2]>::try_from)) {
+                (Some(head), Some(Ok(sums))) if sums == checksum(head) => Candidate::Whole(size),
+                (_, Some(_)) => Candidate::Bad,
+                _ => Candidate::Open(size),
             }
         }
-        _ => Candidate::Open(HEADER),
+        [] => Candidate::Open(HEADER),
+        [a] if a == first => Candidate::Open(HEADER),
+        [a, b] if [a, b] == SYNC => Candidate::Open(HEADER),
+        [a, b, set] if [a, b] == SYNC && set > 0 => Candidate::Open(HEADER),
+        _ => Candidate::Bad,
     }
 }
 
@@ -121,7 +116,7 @@ impl Parser {
 
     /// The next packet that is complete in the buffer; also one after the candidate, if requested.
     pub(crate) fn held_back(&mut self, behind_candidate: bool) -> Option<Packet<'_>> {
-        if self.step(&mut [].as_slice()).is_none() {
+        if self.step(&[]).0 == 0 {
             if !behind_candidate {
                 return None;
             }
@@ -136,7 +131,7 @@ impl Parser {
             };
             self.skip(at);
             self.drop_front(at);
-            self.done = short(size);
+            (self.done, self.missing) = (short(size), 0);
         }
         Some(self.packet())
     }
@@ -145,7 +140,7 @@ impl Parser {
     ///
     /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
-        while self.step(&mut [].as_slice()).is_none() {
+        while self.step(&[]).0 == 0 {
             if self.length == 0 {
                 return None;
             }
@@ -157,37 +152,39 @@ impl Parser {
         Some(self.packet())
     }
 
-    /// Searches for a packet and removes the searched bytes from the front of the input.
-    pub(crate) fn step<'i>(&mut self, input: &mut &'i [u8]) -> Option<Found<'i>> {
-        let given = *input;
+    /// Searches for a packet. Returns its size, or 0, and how many bytes of the input are left. It
+    /// is in the buffer if `done` is set, else it is the last of the bytes that were searched.
+    pub(crate) fn step(&mut self, given: &[u8]) -> (usize, usize) {
+        let mut input = given;
         if self.done > 0 {
             self.drop_front(self.done.into());
-            (self.done, self.missing) = (0, 0);
+            self.done = 0;
         }
         loop {
-            if self.missing > 0 && !self.fill(input) {
-                return None;
+            if self.missing > 0 {
+                input = self.fill(input);
+                if self.missing > 0 {
+                    return (0, input.len());
+                }
             }
             let buffered = self.length > 0;
-            let bytes = if buffered { self.held() } else { *input };
+            let bytes = if buffered { self.held() } else { input };
             match judge(bytes) {
                 Candidate::Whole(size) => {
                     if buffered {
                         self.done = short(size);
-                        return Some(Found::InBuffer);
+                        return (size, input.len());
                     }
-                    let (packet, rest) = input.split_at(size.min(input.len()));
-                    *input = rest;
-                    return Some(Found::InInput(packet));
+                    return (size, input.len().saturating_sub(size));
                 }
                 Candidate::Open(size) => {
                     let known = bytes.len();
                     if known == 0 {
-                        return None;
+                        return (0, 0);
                     }
                     if !buffered {
                         self.missing = short(known);
-                        self.fill(input);
+                        input = self.fill(input);
                     }
                     self.missing = short(size.saturating_sub(known));
                 }
@@ -200,11 +197,11 @@ impl Parser {
                         let left = usize::from(self.length);
                         let start = given.len().saturating_sub(input.len()).checked_sub(left);
                         if let Some(start) = start {
-                            *input = behind(given, start);
+                            input = behind(given, start);
                             self.length = 0;
                         }
                     } else {
-                        *input = behind(input, count);
+                        input = behind(input, count);
                     }
                 }
             }
@@ -214,14 +211,21 @@ impl Parser {
     /// Removes the packet that was returned last. True if nothing else is held back.
     #[inline]
     pub(crate) fn is_empty(&mut self) -> bool {
-        if self.length != self.done {
-            return false;
+        if self.length > 0 {
+            if self.length != self.done {
+                return false;
+            }
+            (self.length, self.done, self.missing) = (0, 0, 0);
         }
-        (self.length, self.done, self.missing) = (0, 0, 0);
         true
     }
 
-    /// The packet in the buffer that was found last.
+    /// Whether the packet that was found last is in the buffer.
+    pub(crate) const fn is_done(&self) -> bool {
+        self.done > 0
+    }
+
+    /// That packet.
     pub(crate) fn packet(&self) -> Packet<'_> {
         Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
     }
@@ -247,23 +251,42 @@ impl Parser {
         self.length = short(to);
     }
 
-    /// Takes the missing bytes from the input. True if all of them are there.
-    fn fill(&mut self, input: &mut &[u8]) -> bool {
+    /// Takes the first bytes of a candidate of this size.
+    #[cold] // beside whole packets
+    fn hold(&mut self, bytes: &[u8], size: usize) {
+        if !bytes.is_empty() {
+            self.missing = short(size);
+            self.fill(bytes);
+        }
+    }
+
+    /// Takes the missing bytes, as far as they are there. Returns those behind.
+    #[inline]
+    fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
         let count = usize::from(self.missing).min(input.len());
         let (head, tail) = input.split_at(count);
         let free = self.buffer.get_mut(self.length.into()..).unwrap_or_default();
         match (free, head) {
             ([place, ..], [byte]) => *place = *byte,
-            (free, head) => {
-                for (place, byte) in free.iter_mut().zip(head) {
-                    *place = *byte;
-                }
-            }
+            (free, head) => copy(free, head),
         }
-        *input = tail;
         self.length = self.length.wrapping_add(short(count));
         self.missing = self.missing.wrapping_sub(short(count));
-        self.missing == 0
+        tail
+    }
+}
+
+/// Copies to the first places.
+fn copy(places: &mut [u8], bytes: &[u8]) {
+    // On microcontrollers, `memcpy` may be larger than the parser.
+    if HOST {
+        if let Some(places) = places.get_mut(..bytes.len()) {
+            places.copy_from_slice(bytes);
+        }
+        return;
+    }
+    for (place, byte) in places.iter_mut().zip(bytes) {
+        *place = *byte;
     }
 }
 
@@ -312,17 +335,33 @@ impl<'i> Feed<'_, 'i> {
     #[allow(clippy::should_implement_trait)] // an iterator cannot lend
     #[inline]
     pub fn next(&mut self) -> Option<Packet<'_>> {
-        // The usual case first: nothing is held back, and a packet is next.
-        if self.parser.is_empty() {
-            if let Candidate::Whole(size) = judge(self.rest) {
-                let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
-                self.rest = rest;
-                return Some(Packet::trusted(packet));
+        // The usual cases first: nothing is held back, and a packet is next, or its first part.
+        if HOST && self.parser.is_empty() {
+            match judge(self.rest) {
+                Candidate::Whole(size) => {
+                    let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
+                    self.rest = rest;
+                    return Some(Packet::trusted(packet));
+                }
+                Candidate::Open(size) => {
+                    self.parser.hold(self.rest, size);
+                    self.rest = &[];
+                    return None;
+                }
+                _ => {}
             }
+        } else if HOST && self.rest.len() == 1 && self.parser.missing > 1 {
+            // Byte by byte.
+            self.rest = self.parser.fill(self.rest);
+            return None;
         }
-        match self.parser.step(&mut self.rest)? {
-            Found::InBuffer => Some(self.parser.packet()),
-            Found::InInput(bytes) => Some(Packet::trusted(bytes)),
+        let (size, left) = self.parser.step(self.rest);
+        let (searched, rest) = self.rest.split_at(self.rest.len().saturating_sub(left));
+        self.rest = rest;
+        match size {
+            0 => None,
+            _ if self.parser.is_done() => Some(self.parser.packet()),
+            _ => Some(Packet::trusted(behind(searched, searched.len().wrapping_sub(size)))),
         }
     }
 

@@ -54,7 +54,21 @@ impl<'a> Packets<'a> {
 impl<'a> Iterator for Packets<'a> {
     type Item = Packet<'a>;
 
+    #[inline]
     fn next(&mut self) -> Option<Packet<'a>> {
+        // The usual case first: a packet is next.
+        if let Candidate::Whole(size) = judge(self.rest) {
+            let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
+            self.rest = rest;
+            return Some(Packet::trusted(packet));
+        }
+        self.search()
+    }
+}
+
+impl<'a> Packets<'a> {
+    /// Searches for a packet that is not the next thing.
+    fn search(&mut self) -> Option<Packet<'a>> {
         let (mut rest, given) = (self.rest, self.rest.len());
         let mut open: &[u8] = &[];
         while !rest.is_empty() {

@@ -33,7 +33,7 @@ class Behavior:
     effect: str = ""
     arguments: dict[str, str | int] = field(
         default_factory=dict
-    )  # name of a parameter, or a number
+    )  # a parameter, a member of one: parameter.member, or a number
     all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
     instances: dict[str, str] = field(
         default_factory=dict

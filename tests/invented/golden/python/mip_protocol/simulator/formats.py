@@ -28,6 +28,11 @@ def rate(device: VirtualDevice, set: int) -> int:
     return round(device.profile.base_rates.get(set) or 0)
 
 
+def ticks(device: VirtualDevice, set: int) -> float:
+    """The rate in Hz at which a set is sent without decimation."""
+    return device.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
+
+
 def of_set(device: VirtualDevice, set: int) -> list[tuple[int, int]]:
     """The message format of a set: descriptors and decimations."""
     for given in device.settings_of("format"):
@@ -67,8 +72,7 @@ def streams(device: VirtualDevice, begin: int) -> list[Stream]:
 def _stream(
     device: VirtualDevice, set: int, items: list[tuple[int, Any]], fire: Any, begin: int
 ) -> Stream:
-    base = device.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
-    return Stream(base, items, fire, device.booted, begin)
+    return Stream(ticks(device, set), items, fire, device.booted, begin)
 
 
 def _keeper(device: VirtualDevice, set: int) -> Any:
@@ -97,4 +101,4 @@ def factory(device: VirtualDevice, keep: bool) -> None:
         device.settings.write(kind(function=WRITE, **given))
 
 
-__all__ = ["enabled", "factory", "of_sentences", "of_set", "rate", "streams"]
+__all__ = ["enabled", "factory", "of_sentences", "of_set", "rate", "streams", "ticks"]

@@ -98,11 +98,14 @@ class World:
         )  # settings: the sensors subtract them, m/s^2 and rad/s
         self.gyro_bias: Vector = (0.0, 0.0, 0.0)
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
+        self.signals: dict[int, bool] = {}  # levels that come from outside
+        self.pulled_up: set[int] = set()  # pins that are high without a signal
+        self.trigger = 0  # the event trigger that causes what is sent now; 0: none
         bias = Random(f"{seed}:bias")
         #: The whole biases of the sensors.
         self.accel_error = _random(bias, 0.02)
         self.gyro_error = _random(bias, 5e-4)
-        self._outputs: dict[tuple[int, str], Output] = {}
+        self._outputs: dict[tuple[int, str, str], Output] = {}
         self._state: State | None = None
         self._known: dict[str, Any] = {}
         self._turn: Matrix | None = None
@@ -147,9 +150,16 @@ class World:
         self.start += (own_week if week is None else week) * earth.WEEK + rest - self.gps
         self.move_to(self.now)
 
-    def output(self, set: int, quantity: str, rate: float) -> Output:
-        """What all fields of a set that show a quantity count from: sending any of them restarts it."""
-        return self._outputs.setdefault((set, quantity), Output(rate))
+    def level(self, pin: int) -> bool:
+        """Is a pin high?"""
+        return self.pins.get(pin, self.signals.get(pin, pin in self.pulled_up))
+
+    def output(self, set: int, quantity: str, rate: float, channel: str = "") -> Output:
+        """What all fields of a set that show a quantity count from: sending any of them restarts it.
+
+        Channels count on their own: scheduled data, and each event action.
+        """
+        return self._outputs.setdefault((set, quantity, channel), Output(rate))
 
     def quantity(self, name: str, item: Any = None) -> Any:
         """A quantity by its name in the specification."""
