@@ -15,8 +15,10 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
     println!("{:?} {:?}", device.answer(&rate), device.answer(&pps));
 
     while let Some(packet) = device.next_packet(1000)? {
-        if let Some(Ok(accel)) = packet.find::<ScaledAccel>() {
-            println!("{:.4} g along x", accel.scaled_accel.x);
+        match packet.find::<ScaledAccel>() {
+            Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
+            Some(Err(broken)) => println!("{broken}"),
+            None => {} // the packet has other fields
         }
     }
     Ok(()) // no data for a second

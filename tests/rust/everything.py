@@ -364,9 +364,9 @@ class _Writer:
         for name, texts in (("also", d.also), ("incomplete", d.incomplete)):
             yield f"assert_eq!({of}.{name}, [{', '.join(map(text, texts))}] as [&str; {len(texts)}]);"
         for name in (d.id, d.title, *d.also):
-            yield f"assert_eq!(devices::Device::find({text(name)}), Some(&{of}));"
+            yield f"assert_eq!(devices::Profile::find({text(name)}), Some(&{of}));"
         if d.model_number is not None:
-            yield f"assert_eq!(devices::Device::by_model({d.model_number}), Some(&{of}));"
+            yield f"assert_eq!(devices::Profile::by_model({d.model_number}), Some(&{of}));"
         rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
             yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"

@@ -6,6 +6,7 @@ And the programs of the folder examples, as their users run them.
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 from functools import cache
@@ -197,9 +198,10 @@ def test_log_to_csv(log: Path) -> None:
     assert head.split(",")[:2] == ["tow_s", "accel_x_g"] and head.count(",") == row.count(",") == 6
     assert row == ",0.24452066,-0.0043405485,NaN,,,"
     assert ran("log_to_csv")[0] == 1
-    log.write_bytes(packet("75658006" + "0604" + "3e7a63a0"))
-    code, out, error = ran("log_to_csv", log)
-    assert code == 1 and "need: 12, got: 4" in error
+    for length in ("06", "0e"):  # a short field, and one that its packet cuts
+        log.write_bytes(packet("75658006" + length + "04" + "3e7a63a0"))
+        code, out, error = ran("log_to_csv", log)
+        assert code == 1 and "need: 12, got: 4" in error
 
 
 def test_json(log: Path) -> None:
@@ -210,6 +212,32 @@ def test_json(log: Path) -> None:
     values = accel["fields"][0]["sensor.scaled_accel"]["scaled_accel"]
     assert (accel["set"], values[0], values[2]) == (128, pytest.approx(0.24452066), None)
     assert unknown == {"set": 128, "fields": [{"descriptor": 254, "data": [1, 2]}]}
+    assert "[0.24452066,-0.0043405485,null]" in out  # as short as floats of 32 bits are
+
+
+def test_json_tells_what_is_broken(log: Path) -> None:
+    """A field whose data are too short, and one that its packet cuts."""
+    log.write_bytes(packet("75658004" + "04040102") + packet("75658006" + "02fe" + "0e040102"))
+    code, out, error = ran("json", log)
+    assert (code, error) == (0, "")
+    short, cut = (json.loads(line)["fields"] for line in out.splitlines())
+    assert short == [
+        {"descriptor": 4, "data": [1, 2], "error": "sensor.scaled_accel: it needs 12 bytes and has 2"}
+    ]  # fmt: skip
+    assert cut == [
+        {"descriptor": 254, "data": []},
+        {"error": "the length of a field does not fit into the packet"},
+    ]
+
+
+def test_nobody_reads_the_json(log: Path) -> None:
+    """As `json log.bin | head` does it."""
+    log.write_bytes(LOG * 2000)
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run([programs() / "json", str(log)], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
+    os.close(writer)
+    assert done.returncode == 1 and b"BrokenPipe" in done.stderr
 
 
 def test_tokio_codec() -> None:

@@ -4,23 +4,34 @@
 
 use std::error::Error;
 use std::fs::File;
+use std::io::{stdout, BufWriter, Write};
 
-use mip_protocol::{AnyField, PacketReader};
-use serde_json::{json, Value};
+use mip_protocol::{AnyField, FieldLengthError, PacketReader, RawField};
+use serde_json::json;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: json LOG")?;
     let mut packets = PacketReader::new(File::open(path)?);
+    let mut lines = BufWriter::new(stdout().lock());
     while let Some(packet) = packets.next_packet()? {
-        let mut fields = Vec::new();
-        for field in packet.fields().flatten() {
-            // Borrowed, because it is as large as the largest field.
-            fields.push(match &AnyField::decode(&field) {
-                Some(Ok((any, _))) => serde_json::to_value(any)?, // {"sensor.scaled_accel": {…}}
-                _ => json!({"descriptor": field.descriptor, "data": field.data}),
-            });
-        }
-        println!("{}", json!({"set": packet.set(), "fields": Value::Array(fields)}));
+        let fields = packet.fields().map(text).collect::<Result<Vec<_>, _>>()?;
+        writeln!(lines, r#"{{"set":{},"fields":[{}]}}"#, packet.set(), fields.join(","))?;
     }
-    Ok(())
+    Ok(lines.flush()?)
+}
+
+/// Text and not a `serde_json::Value`, whose floats are all of 64 bits: 0.1 has 17 digits there.
+fn text(field: Result<RawField<'_>, FieldLengthError>) -> serde_json::Result<String> {
+    let field = match field {
+        Ok(field) => field,
+        Err(error) => return serde_json::to_string(&json!({"error": error.to_string()})),
+    };
+    let mut raw = json!({"descriptor": field.descriptor, "data": field.data});
+    // Borrowed, because it is as large as the largest field.
+    match &AnyField::decode(&field) {
+        Some(Ok((any, _))) => return serde_json::to_string(any), // {"sensor.scaled_accel": {…}}
+        Some(Err(error)) => raw["error"] = error.to_string().into(),
+        None => {} // unknown
+    }
+    serde_json::to_string(&raw)
 }

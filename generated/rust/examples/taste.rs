@@ -7,13 +7,10 @@ fn main() -> Result<(), mip_protocol::EncodeError> {
     let received = b"$GPGGA noise\r\n\x75\x65\x80\x0E\x0E\x04\x3E\x7A\x63\xA0\
                      \xBB\x8E\x3B\x29\x7F\xE5\xBF\x7F\x84\xEE";
     let mut parser = Parser::new(); // for a stream; `packets` if all bytes are there
-    let mut packets = parser.feed(received);
-    while let Some(packet) = packets.next() {
-        for field in packet.fields().flatten() {
-            if let Some(Ok(accel)) = field.get::<ScaledAccel>() {
-                println!("{:.4} g along x", accel.scaled_accel.x);
-            }
-        }
-    }
+    parser.feed(received).for_each(|packet| match packet.find::<ScaledAccel>() {
+        Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
+        Some(Err(broken)) => println!("{broken}"),
+        None => {} // the packet has other fields
+    });
     Ok(())
 }

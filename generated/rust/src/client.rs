@@ -169,7 +169,7 @@ impl<C> fmt::Debug for Ticket<C> {
 }
 
 /// Why a command could not be added to a request.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RequestError {
@@ -197,10 +197,10 @@ impl fmt::Display for RequestError {
     }
 }
 
-error!(RequestError);
+error!(RequestError: Encode);
 
 /// The result of a command.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Answer<R> {
@@ -246,7 +246,7 @@ impl<R> Answer<R> {
 }
 
 /// Why a command failed, or is not known to have been carried out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CommandError {
@@ -263,7 +263,12 @@ pub enum CommandError {
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Refused(code) => write!(f, "the device refused the command: {code:?}"),
+            Self::Refused(code) => {
+                f.write_str("the device refused the command: ")?;
+                let Some(name) = code.name() else { return write!(f, "code {}", code.0) };
+                name.split('_').try_for_each(|word| write!(f, "{word} "))?;
+                write!(f, "({})", code.0)
+            }
             Self::TimedOut => f.write_str("no answer came in time"),
             Self::MissingResponse => f.write_str("the answer has no response"),
             Self::Undecodable(error) => error.fmt(f),
@@ -271,10 +276,10 @@ impl fmt::Display for CommandError {
     }
 }
 
-error!(CommandError);
+error!(CommandError: Undecodable);
 
 /// The result of a command of any type.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Outcome {
@@ -497,6 +502,14 @@ impl<const N: usize> Client<N> {
         self.table().take(ticket.id).map(Event::decoded)
     }
 
+    /// The event of this command, if it has happened. Events of other commands are kept.
+    ///
+    /// It takes tickets of any type, also those of [`Request::add_any`]. A silent command has no
+    /// event.
+    pub fn take_event<C>(&mut self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.table().take(ticket.id)
+    }
+
     /// Updates the time. Call it until it returns `None`; the overdue commands then have their
     /// events.
     ///
@@ -530,9 +543,12 @@ impl<const N: usize> Client<N> {
         if ticket.silent {
             return Some(Answer::Silent);
         }
-        let mut slots = self.table().slots.iter();
-        let slot = slots.find(|slot| slot.is(State::Done) && slot.event.id == ticket.id)?;
-        Some(slot.event.decoded())
+        self.known_event(ticket).map(Event::decoded)
+    }
+
+    /// Like [`Client::take_event`], but the event is kept.
+    pub(crate) fn known_event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.table().find(ticket.id).map(|slot| &slot.event)
     }
 
     /// Discards all commands and events. Answers that still arrive for them are treated as data.
@@ -661,9 +677,14 @@ impl Slots {
         Some(response.is_some())
     }
 
+    /// The command with this number, if its event has happened.
+    fn find(&self, id: u32) -> Option<&Slot> {
+        self.slots.iter().find(|slot| slot.is(State::Done) && slot.event.id == id)
+    }
+
     /// The event of this command, if it has happened; it is taken.
     fn take(&self, id: u32) -> Option<&Event> {
-        let slot = self.slots.iter().find(|s| s.is(State::Done) && s.event.id == id)?;
+        let slot = self.find(id)?;
         slot.state.set(State::Free);
         Some(&slot.event)
     }
@@ -760,12 +781,38 @@ impl<'c> Request<'c> {
     }
 
     /// Appends a command whose type is known only at run time.
+    ///
+    /// Its ticket has no type that could decode an answer; [`Client::take_event`], or
+    /// [`Device::event`](crate::device::Device::event), returns the event for it:
+    ///
+    /// ```
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    /// use mip_protocol::AnyField;
+    ///
+    /// fn show<P: Port>(
+    ///     device: &mut Device<P>,
+    ///     command: &AnyField,
+    /// ) -> Result<(), DeviceError<P::Error>> {
+    ///     let set = command.info().set;
+    ///     let ticket = device.send_all(set, |request| request.add_any(command))?;
+    ///     let Some(event) = device.event(&ticket) else {
+    ///         println!("sent; the device does not answer it");
+    ///         return Ok(());
+    ///     };
+    ///     println!("{:?}", event.outcome);
+    ///     if let Some(Ok((response, _))) = event.response().and_then(|f| AnyField::decode(&f)) {
+    ///         println!("{response:?}");
+    ///     }
+    ///     Ok(())
+    /// }
+    /// ```
     #[inline]
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
     }
 
-    /// The packet to send. From now on its commands are pending.
+    /// The packet to send. From now on its commands are pending. Without commands, it is a packet
+    /// without fields, which need not be sent.
     #[must_use = "the packet is to be sent"]
     pub fn send(self, now_ms: u32) -> Packet<'c> {
         for slot in &mut self.table.slots {

@@ -2,6 +2,11 @@
 
 use core::fmt;
 
+#[cfg(feature = "core-error")]
+pub(crate) use core::error::Error;
+#[cfg(all(feature = "std", not(feature = "core-error")))]
+pub(crate) use std::error::Error;
+
 /// Why the data of a field could not be decoded.
 ///
 /// ```
@@ -161,7 +166,15 @@ impl fmt::Display for EncodeError {
             EncodeErrorKind::Count => write!(f, "there are {need} elements, {got} fit"),
             EncodeErrorKind::Tag => write!(f, "{kind}"),
             EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),
-            EncodeErrorKind::Set => write!(f, "set {need:#04x} in a packet of set {got:#04x}"),
+            EncodeErrorKind::Set => match (need, got) {
+                (0xFF, _) if !field.is_empty() => write!(
+                    f,
+                    "it belongs in packets of data sets, not in one of set {got:#04x}; begin the \
+                     packet with PacketBuilder::new and push it"
+                ),
+                (_, 0 | 0xFF) => write!(f, "no packet has set {got:#04x}"),
+                _ => write!(f, "set {need:#04x} in a packet of set {got:#04x}"),
+            },
         }
     }
 }

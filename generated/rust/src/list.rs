@@ -1,5 +1,7 @@
 //! Arrays of variable length, without a heap.
 
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
 use core::{fmt, hash, ops};
 
 use crate::codec::{Counted, Reader, Wire, Writer};
@@ -29,8 +31,12 @@ use crate::error::{DecodeErrorKind, EncodeErrorKind, Invalid};
 #[derive(Clone)]
 pub struct List<T, const N: usize> {
     items: [T; N],
-    given: usize, // more than N if it overflowed
+    /// The number of items, and whether there were more.
+    given: usize,
 }
+
+/// The bit of [`List::given`] that says so.
+const OVERFLOWED: usize = !(usize::MAX >> 1);
 
 /// What a [`List`] or an array can hold: all numbers, enumerations, bitfields and structures.
 pub trait Item: Sized {
@@ -88,16 +94,16 @@ impl<T: Item, const N: usize> List<T, N> {
         Ok(items.into())
     }
 
-    /// Removes and returns the last item.
+    /// Removes and returns the last item. A list that has overflowed remains marked.
     pub fn pop(&mut self) -> Option<T> {
-        let last = self.given.min(N).checked_sub(1)?;
-        self.given = last;
+        let last = self.count().checked_sub(1)?;
+        self.given = last | (self.given & OVERFLOWED);
         self.items.get_mut(last).map(|item| core::mem::replace(item, T::BLANK))
     }
 }
 
 impl<T, const N: usize> List<T, N> {
-    /// Appends an item.
+    /// Appends an item. A list that has overflowed takes none until it is cleared.
     #[inline]
     pub fn push(&mut self, item: T) -> Result<(), CapacityError> {
         match self.items.get_mut(self.given) {
@@ -106,7 +112,7 @@ impl<T, const N: usize> List<T, N> {
                 self.given = self.given.saturating_add(1);
                 Ok(())
             }
-            None => Err(CapacityError { need: self.given.saturating_add(1), got: N }),
+            None => Err(CapacityError { need: N.saturating_add(1), got: N }),
         }
     }
 
@@ -118,7 +124,12 @@ impl<T, const N: usize> List<T, N> {
     /// Was it given more items than it can hold? Then it holds the first ones.
     #[must_use]
     pub const fn overflowed(&self) -> bool {
-        self.given > N
+        self.given & OVERFLOWED != 0
+    }
+
+    #[inline]
+    const fn count(&self) -> usize {
+        self.given & !OVERFLOWED
     }
 
     /// The number of items that it can hold.
@@ -131,14 +142,14 @@ impl<T, const N: usize> List<T, N> {
     #[inline]
     #[must_use]
     pub fn as_slice(&self) -> &[T] {
-        self.items.get(..self.given).unwrap_or(&self.items)
+        self.items.get(..self.count()).unwrap_or_default()
     }
 
     /// The items, mutable.
     #[inline]
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [T] {
-        let count = self.given.min(N);
+        let count = self.count();
         self.items.get_mut(..count).unwrap_or_default()
     }
 }
@@ -216,6 +227,38 @@ impl<T: PartialEq, const M: usize, const N: usize> PartialEq<[T; M]> for List<T,
     }
 }
 
+impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for [T] {
+    fn eq(&self, other: &List<T, N>) -> bool {
+        *other == *self
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for &[T] {
+    fn eq(&self, other: &List<T, N>) -> bool {
+        *other == **self
+    }
+}
+
+impl<T: PartialEq, const M: usize, const N: usize> PartialEq<List<T, N>> for [T; M] {
+    fn eq(&self, other: &List<T, N>) -> bool {
+        *other == *self.as_slice()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<T: PartialEq, const N: usize> PartialEq<Vec<T>> for List<T, N> {
+    fn eq(&self, other: &Vec<T>) -> bool {
+        *self == *other.as_slice()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for Vec<T> {
+    fn eq(&self, other: &List<T, N>) -> bool {
+        *other == *self.as_slice()
+    }
+}
+
 /// Evaluated at compile time: an array that is too long does not build.
 struct Fits<const M: usize, const N: usize>;
 
@@ -244,6 +287,22 @@ impl<T: Item + Clone, const N: usize> From<&[T]> for List<T, N> {
     }
 }
 
+/// Of a `Vec` that is too long, the first items: see [`List::overflowed`].
+#[cfg(feature = "alloc")]
+impl<T: Item, const N: usize> From<Vec<T>> for List<T, N> {
+    fn from(items: Vec<T>) -> Self {
+        items.into_iter().collect()
+    }
+}
+
+/// Of a `Vec` that is too long, the first items: see [`List::overflowed`].
+#[cfg(feature = "alloc")]
+impl<T: Item + Clone, const N: usize> From<&Vec<T>> for List<T, N> {
+    fn from(items: &Vec<T>) -> Self {
+        items.as_slice().into()
+    }
+}
+
 /// Of an iterator that gives too many, the first items: see [`List::overflowed`].
 impl<T: Item, const N: usize> FromIterator<T> for List<T, N> {
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
@@ -258,7 +317,7 @@ impl<T, const N: usize> Extend<T> for List<T, N> {
     fn extend<I: IntoIterator<Item = T>>(&mut self, items: I) {
         for item in items {
             if self.push(item).is_err() {
-                self.given = self.given.saturating_add(1);
+                self.given |= OVERFLOWED;
                 return; // the rest need not be read: there are known to be too many
             }
         }
@@ -276,7 +335,7 @@ impl<T, const N: usize> IntoIterator for List<T, N> {
     type IntoIter = core::iter::Take<core::array::IntoIter<T, N>>;
 
     fn into_iter(self) -> Self::IntoIter {
-        let count = self.given.min(N);
+        let count = self.count();
         self.items.into_iter().take(count)
     }
 }
@@ -310,7 +369,7 @@ impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
         if self.overflowed() {
-            return Err(writer.wrong(EncodeErrorKind::Count, self.given, N));
+            return Err(writer.wrong(EncodeErrorKind::Count, N.saturating_add(1), N));
         }
         self.iter().try_for_each(|item| writer.write(item))
     }

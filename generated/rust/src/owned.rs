@@ -61,6 +61,12 @@ impl From<&PacketBuf> for PacketBuilder {
     }
 }
 
+impl From<PacketBuf> for PacketBuilder {
+    fn from(packet: PacketBuf) -> Self {
+        packet.packet().into()
+    }
+}
+
 impl<'a> From<&'a PacketBuf> for Packet<'a> {
     fn from(packet: &'a PacketBuf) -> Self {
         packet.packet()
@@ -80,6 +86,15 @@ impl TryFrom<Vec<u8>> for PacketBuf {
     fn try_from(bytes: Vec<u8>) -> Result<Self, PacketError> {
         Packet::new(&bytes)?;
         Ok(Self { bytes: bytes.into() })
+    }
+}
+
+/// Checks the bytes, and copies them.
+impl TryFrom<&[u8]> for PacketBuf {
+    type Error = PacketError;
+
+    fn try_from(bytes: &[u8]) -> Result<Self, PacketError> {
+        Packet::new(bytes).map(Self::from)
     }
 }
 

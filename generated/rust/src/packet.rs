@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::codec::Writer;
-use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
+use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::field::{Field, RawField};
 use crate::protocol::SYNC;
 
@@ -168,9 +168,24 @@ impl<'a> Packet<'a> {
     }
 
     /// The first field of this type, decoded; `None` if the packet has none.
+    ///
+    /// A field of this type that runs past the payload is an error
+    /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), whatever its data hold.
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
-        self.fields().flatten().find_map(|field| field.get())
+        let mut fields = self.fields();
+        while let Some(field) = fields.sound() {
+            if let Some(found) = field.get() {
+                return Some(found);
+            }
+        }
+        let (field, need) = fields.cut()?;
+        let is_it = T::in_set(field.set)
+            && field.descriptor == T::DESCRIPTOR
+            && T::SIZES.contains(&need)
+            && field.has_constants(T::CONSTANTS);
+        let error = DecodeError::new(DecodeErrorKind::Truncated, T::NAME, need, field.data.len());
+        is_it.then_some(Err(error))
     }
 }
 
@@ -214,6 +229,15 @@ impl<'a> Fields<'a> {
         self.payload = self.payload.get(length..)?;
         Some(RawField { set: self.set, descriptor, data })
     }
+
+    /// After the last sound field: the one that runs past the payload, as far as it is there, and
+    /// the number of bytes that its data should have.
+    #[cold]
+    fn cut(&self) -> Option<(RawField<'a>, usize)> {
+        let [length @ 2..=255, descriptor, data @ ..] = self.payload else { return None };
+        let need = usize::from(*length).saturating_sub(FIELD_HEADER);
+        Some((RawField { set: self.set, descriptor: *descriptor, data }, need))
+    }
 }
 
 impl<'a> Iterator for Fields<'a> {
@@ -245,8 +269,9 @@ pub struct PacketBuilder {
 impl PacketBuilder {
     /// A packet of this descriptor set, without fields.
     ///
-    /// No packet has set 0, nor 0xFF, which defines fields of all data sets: a builder with such a
-    /// set accepts no field.
+    /// No device sends or accepts a packet of set 0, which is none for [`Packet::new`] either, nor of
+    /// 0xFF, which defines fields of all data sets: a builder with such a set accepts no field, and
+    /// its packet is not to be sent.
     #[must_use]
     pub const fn new(set: u8) -> Self {
         let [first, second] = SYNC;
@@ -270,7 +295,10 @@ impl PacketBuilder {
         self.seal();
     }
 
-    /// A packet with only this field.
+    /// A packet with only this field, of the set that defines it.
+    ///
+    /// A field of all data sets ([`Field::SET`] is 0xFF) does not say which one is meant: begin its
+    /// packet with [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
     pub fn with<T: Field>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;

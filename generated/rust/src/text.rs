@@ -35,7 +35,9 @@ impl<const N: usize> Text<N> {
         Some(Self(bytes))
     }
 
-    /// The text without the padding of spaces and zeros; an error if it is not ASCII or UTF-8.
+    /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
+    ///
+    /// Spaces in front remain; some devices align serial numbers with them.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }
@@ -69,7 +71,9 @@ impl<const N: usize> VarText<N> {
         self.0.is_empty()
     }
 
-    /// The text without the padding of spaces and zeros; an error if it is not ASCII or UTF-8.
+    /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
+    ///
+    /// Spaces in front remain; some devices align serial numbers with them.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }

@@ -223,11 +223,12 @@ static void no_answers(void) {
     COMES(0, 0x01, PONG); /* too late: unasked for */
     CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
     device.client.timeout = 100;
-    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6100);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6110);
     line.clock = UINT32_MAX - 40; /* the time wraps around meanwhile */
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 59);
 
     /* Nobody answers these: nothing is read. */
+    line.clock += 10000;
     const unsigned reads = line.reads;
     CHECK(is(mip_call_tools_set_time_apply(&device, MIP_MODE_FAST, 5), MIP_SENT, 0, MIP_OK) && line.reads == reads);
 
@@ -241,6 +242,43 @@ static void no_answers(void) {
     r = mip_call_tools_ping(&device);
     CHECK(is(r, MIP_NOT_SENT, 0, MIP_OK) && line.reads == reads && device.client.waiting == NULL);
     CHECK(strcmp(mip_result_reason(r), "") == 0);
+}
+
+/* The answer to a command that has timed out is not that of the next one. */
+static void late_answers(void) {
+    fresh(all, 1);
+    forget();
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    bytes_come(&line, 0, "ue\x80\xFF", 4); /* noise hides it */
+    COMES(0, 0x01, PONG);
+    COMES(0, 0x80, ACCEL);
+    COMES(20, 0x01, "\x04\xF1\x01\x03");
+    CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK));
+    CHECK(seen.count == 2 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
+    CHECK(device.parser.skipped == 4);
+
+    /* This one may have had that of another; after a while, none can come. */
+    line.clock += 9900;
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    line.clock += 10000;
+    COMES(0, 0x01, PONG);
+    const unsigned reads = line.reads;
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == reads + 1);
+
+    /* Bytes without end hold no command up. */
+    device.client.timeout = 100;
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    line.endless = true;
+    const uint32_t takes[] = {0, 1, 30}, ends[] = {0, 64, 120};
+    for (int i = 0; i < 3; i++) {
+        const unsigned writes = line.writes, before = line.reads;
+        line.deaf = true; /* so that it does not wait afterwards */
+        line.takes = takes[i];
+        const uint32_t start = line.clock;
+        CHECK(is(mip_call_tools_ping(&device), MIP_NOT_SENT, 0, MIP_OK) && line.writes == writes + 1);
+        CHECK(line.clock - start == ends[i] && line.reads - before == (i < 2 ? 64 : 4));
+    }
 }
 
 static void closed(void) {
@@ -450,6 +488,7 @@ int main(void) {
     answers();
     refusals();
     no_answers();
+    late_answers();
     closed();
     busy();
     outcome_names();

@@ -17,7 +17,8 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import Kind, Peer, acknowledge, packet, until
-from mip_protocol import Parser, aiding, aio, base, conversation, mip_3dm, sensor, types
+from mip_protocol import Parser, aiding, aio, base, conversation, mip_3dm, port, sensor, types
+from mip_protocol import device as sync
 from support import ROOT
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
@@ -73,6 +74,57 @@ def test_no_answer(kind: Kind, peer: Peer) -> None:
         assert device.next(5).packet == mip.Packet(acknowledge(1, 1))
     assert caught.value.command is PING and isinstance(caught.value, mip.MipError)
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+class Counted(port.SocketPort):
+    """It counts how often it is read."""
+
+    reads = 0
+
+    def read(self, size: int) -> bytes:
+        self.reads += 1
+        return super().read(size)
+
+
+LATE = packet(0x0C, "f1 0e 00", "8e 82 0007")
+
+
+def comes_late(peer: Peer, port: Counted) -> int:
+    """The answer to one command is there now; the next is answered with another one."""
+    peer.command()
+    reads = port.reads
+    peer.send(LATE)
+    peer.answering(packet(0x0C, "f1 0e 00", "8e 80 03e8"))
+    return reads
+
+
+def test_a_late_answer_is_not_that_of_the_next_command(peer: Peer) -> None:
+    with sync.Device(counted := Counted(peer.near), timeout=0.05) as device:
+        with pytest.raises(mip.NoAnswer):
+            device.request(mip_3dm.GetBaseRate(0x82))
+        reads = comes_late(peer, counted)
+        until(lambda: counted.reads > reads + 1)
+        assert device.request(mip_3dm.GetBaseRate(0x80), timeout=30).rate == 1000
+        assert device.next(5).packet == mip.Packet(LATE)
+
+
+@pytest.mark.parametrize("streams", [False, True])
+def test_a_late_answer_while_the_loop_is_busy(peer: Peer, streams: bool) -> None:
+    """What has arrived is not processed until the loop runs again, in which the next command is sent."""
+
+    async def main() -> None:
+        counted = Counted(peer.near)
+        link = await asyncio.open_connection(sock=peer.near) if streams else counted
+        async with aio.Device(link, timeout=0.05) as device:
+            with pytest.raises(mip.NoAnswer):
+                await device.request(mip_3dm.GetBaseRate(0x82))
+            reads = comes_late(peer, counted)
+            until(lambda: streams or counted.reads > reads + 1)  # the loop does not run
+            rate = await device.request(mip_3dm.GetBaseRate(0x80), timeout=30)
+            assert rate.rate == 1000
+            assert (await device.next(5)).packet == mip.Packet(LATE)
+
+    asyncio.run(main())
 
 
 def test_answers_without_a_usable_response(kind: Kind, peer: Peer) -> None:

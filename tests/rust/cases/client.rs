@@ -321,7 +321,9 @@ fn answers_as_results() {
     let refused = answer(&Reply::new().ack(5, AckCode::INVALID_PARAMETER));
     let error = refused.into_response().unwrap_err();
     assert_eq!(error, CommandError::Refused(AckCode::INVALID_PARAMETER));
-    assert!(error.to_string().contains("invalid_parameter"));
+    assert_eq!(error.to_string(), "the device refused the command: invalid parameter (3)");
+    let unknown = CommandError::Refused(AckCode(0x77)).to_string();
+    assert_eq!(unknown, "the device refused the command: code 119");
     let bare = answer(&Reply::new().ack(5, AckCode::OK));
     assert_eq!(bare.into_result(), Err(CommandError::MissingResponse));
     let mut short = Reply::new().ack(5, AckCode::OK);
@@ -493,4 +495,22 @@ fn a_client_may_be_shared_by_a_mutex() {
     static CLIENT: std::sync::Mutex<Client<1>> = std::sync::Mutex::new(Client::new());
     shared(&CLIENT);
     assert_eq!(CLIENT.lock().unwrap().pending(), 0);
+}
+
+#[test]
+fn the_event_of_any_ticket() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let any = request.add_any(&AnyField::from(tools::Ping)).unwrap();
+    let bias = request.add(&tools::Bias::read()).unwrap();
+    let _ = request.send(0);
+    assert_eq!(client.take_event(&any), None);
+    let reply = Reply::new().ack(1, AckCode::OK).ack(5, AckCode::INVALID_PARAMETER);
+    let _ = client.receive(&reply.0.packet());
+    let event = client.take_event(&any).cloned().unwrap();
+    assert_eq!((event.id, event.descriptor, event.outcome), (any.id(), 1, Outcome::Acknowledged));
+    assert_eq!(client.take_event(&any), None);
+    let refused = client.take_event(&bias).unwrap();
+    assert_eq!(refused.answer(&bias), Some(Answer::Refused(AckCode::INVALID_PARAMETER)));
+    assert_eq!(client.events().count(), 0);
 }

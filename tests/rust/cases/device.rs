@@ -1,18 +1,19 @@
 //! A device at a port that is played.
 
 use std::collections::VecDeque;
+use std::error::Error as _;
 use std::io::{self, ErrorKind, Read, Write};
 
 use mip_protocol::device::{Device, DeviceError, Port, StdPort};
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, Answer, Client, CommandError, EncodeErrorKind, Field, PacketBuilder,
-    RequestError,
+    measurements, tools, Answer, AnyField, Client, CommandError, EncodeErrorKind, Field, Outcome,
+    PacketBuilder, PacketReader, RequestError,
 };
 
 /// A port that answers each packet with chunks, or with an error; in between, time goes on.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Played {
     sent: Vec<Vec<u8>>,
     replies: VecDeque<Vec<Vec<u8>>>,
@@ -132,7 +133,8 @@ fn what_can_become_of_a_command() {
     let missing = DeviceError::Command(CommandError::MissingResponse);
     assert_eq!(device.request(&tools::Bias::read()), Err(missing));
     assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
-    assert_eq!(device.port().now, 3500); // this one may take 2.5 s
+    // This one may take 2.5 s; before each of both, a late answer was looked for.
+    assert_eq!(device.port().now, 3520);
     assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     assert_eq!(next(&mut device), None);
@@ -149,7 +151,20 @@ fn what_is_not_sent() {
     };
     assert_eq!(error.kind, EncodeErrorKind::Missing);
     assert!(device.port().sent.is_empty());
-    assert!(DeviceError::<io::Error>::from(error_of(error)).to_string().starts_with("not sent: "));
+    let request = error_of(error);
+    let whole = DeviceError::<io::Error>::from(request);
+    assert!(whole.to_string().starts_with("not sent: "));
+    // Each error has the one that caused it.
+    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&request));
+    assert_eq!(request.source().unwrap().downcast_ref(), Some(&error));
+    assert!(RequestError::Busy.source().is_none());
+    let broken = tools::Bias::decode(&[]).unwrap_err();
+    let command = CommandError::Undecodable(broken);
+    assert_eq!(command.source().unwrap().downcast_ref(), Some(&broken));
+    let whole = DeviceError::<io::Error>::from(command);
+    assert_eq!(whole.source().unwrap().downcast_ref(), Some(&command));
+    assert!(CommandError::TimedOut.source().is_none());
+    assert!(DeviceError::<io::Error>::Closed.source().is_none());
 }
 
 fn error_of(error: mip_protocol::EncodeError) -> RequestError {
@@ -365,6 +380,7 @@ fn ports_of_the_standard_library() {
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
+    assert!(error.source().unwrap().is::<io::Error>());
     // A time-out takes the time of the clock.
     let nothing = || Ok(0);
     let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };
@@ -406,4 +422,104 @@ fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
     assert_eq!(device.run(&tools::Ping), Ok(()));
     assert_eq!(device.dropped(), 1);
     assert_eq!((next(&mut device), next(&mut device)), (Some(data(1.0)), Some(data(2.0))));
+}
+
+#[test]
+fn a_late_answer_is_not_that_of_the_next_command() {
+    let other = tools::BiasVector { bias: Vector3f { x: 9.0, ..BIAS.bias } };
+    let late = DeviceError::Command(CommandError::TimedOut);
+    let noise = b"ue\x80\xFF".to_vec();
+    let mut device = device([vec![], vec![answered(5, &BIAS)], vec![], vec![]]);
+    assert_eq!(device.request(&tools::Bias::read()), Err(late));
+    device.port_mut().coming.extend([data(1.0), noise, answered(5, &other)]);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    // It is there as data.
+    assert_eq!(next(&mut device), Some(data(1.0)));
+    assert_eq!(next(&mut device), Some(answered(5, &other)));
+    // A ping that nobody has answered, and a device that talks without end.
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(next(&mut device), None);
+    device.port_mut().coming.push_back(ack(1, AckCode::OK));
+    device.port_mut().coming.extend(vec![vec![0]; 1000]);
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(device.port().sent.len(), 4);
+}
+
+#[test]
+fn only_after_a_missing_answer_is_something_read_before_a_command() {
+    let mut device = device([]);
+    let answered = |device: &mut Device<Played>| {
+        device.port_mut().replies = [vec![ack(1, AckCode::OK)]].into();
+        let before = device.port().now;
+        assert_eq!(device.run(&tools::Ping), Ok(()));
+        device.port().now - before
+    };
+    assert_eq!(answered(&mut device), 0);
+    let late = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!((answered(&mut device), answered(&mut device)), (10, 10));
+    // One answer may have been that of the command before; but not after so long.
+    device.port_mut().now += 10_000;
+    assert_eq!((answered(&mut device), answered(&mut device)), (0, 0));
+    // A failed port is such a case, too, also with data in between.
+    device.port_mut().replies = [vec![vec![], ack(1, AckCode::OK)]].into();
+    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
+    assert_eq!(answered(&mut device), 10);
+}
+
+#[test]
+fn without_commands_nothing_is_sent() {
+    let mut device = device([]);
+    for set in [0, tools::SET, 0xFF] {
+        assert_eq!(device.send_all(set, |_| Ok(())), Ok(()));
+    }
+    assert!(device.port().sent.is_empty());
+    assert_eq!(device.port().now, 0);
+}
+
+#[test]
+fn a_command_whose_type_is_known_at_run_time() {
+    let mut device = device([
+        vec![answered(5, &BIAS)],
+        vec![ack(1, AckCode::INVALID_PARAMETER)],
+        vec![],
+        vec![],
+    ]);
+    let mut send = |command: AnyField| {
+        let set = command.info().set;
+        let ticket = device.send_all(set, |request| request.add_any(&command)).unwrap();
+        // It is there until the next command.
+        assert_eq!(device.event(&ticket), device.event(&ticket));
+        (ticket, device.event(&ticket).cloned())
+    };
+    let (first, bias) = send(tools::Bias::read().into());
+    let bias = bias.unwrap();
+    assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
+    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap().0;
+    assert_eq!(response, AnyField::from(BIAS));
+    let refused = send(tools::Ping.into()).1.unwrap();
+    assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));
+    assert_eq!(send(tools::Ping.into()).1.unwrap().outcome, Outcome::TimedOut);
+    let silent = send(tools::Settings::apply(1, Mode::FAST, 1).into());
+    assert!(silent.0.is_silent() && silent.1.is_none());
+    assert_eq!(device.event(&first), None);
+}
+
+#[test]
+fn a_port_can_be_lent() {
+    let mut port = Played { replies: [vec![ack(1, AckCode::OK)]].into(), ..Default::default() };
+    assert_eq!(Device::new(&mut port).run(&tools::Ping), Ok(()));
+    assert_eq!(port.sent, [packet(&tools::Ping)]);
+}
+
+#[test]
+fn what_debugging_shows_is_short() {
+    let device = Device::new(Played::default());
+    let shown = format!("{device:?}");
+    assert!(shown.contains("Parser(0 pending, 0 skipped)"), "{shown}");
+    assert!(shown.contains("0 of 4096 bytes, 0 packets dropped"), "{shown}");
+    assert!(shown.len() < 1000, "{shown}");
+    let reader = format!("{:?}", PacketReader::new(&[1_u8][..]));
+    assert_eq!(reader, "PacketReader([1], Parser(0 pending, 0 skipped), 0 unread)");
 }

@@ -230,7 +230,7 @@ fn flags_are_set_cleared_and_read() {
     assert_eq!(flags.0, 0x8003); // reserved bits stay
     flags.remove(StateFlags::HOT);
     assert_eq!(flags.0, 0x8001);
-    assert_eq!(format!("{:?}", StateFlags(0x8051)), "StateFlags(ready | level=5 | any=1 | 0x8000)");
+    assert_eq!(format!("{:?}", StateFlags(0x8051)), "StateFlags(ready | level=5 | 0x8000)");
 }
 
 #[test]
@@ -422,7 +422,7 @@ fn numbers_are_read_by_what_they_depend_on() {
 
 #[test]
 fn devices_tell_what_they_support() {
-    let a = devices::Device::by_id("model-a").unwrap();
+    let a = devices::Profile::by_id("model-a").unwrap();
     assert_eq!((a, a.title, a.model_number), (&devices::MODEL_A, "Model A", Some(4711)));
     assert!(a.has::<tools::Choice>() && !devices::MODEL_B.has::<tools::Choice>());
     assert_eq!((a.base_rate(0x80), a.base_rate(0x01)), (Some(1000.0), None));
@@ -445,16 +445,16 @@ fn devices_tell_what_they_support() {
 
 #[test]
 fn devices_tell_what_is_not_certain() {
-    let old = devices::Device::by_model(4001).unwrap();
-    assert_eq!(Some(old), devices::Device::find("First"));
+    let old = devices::Profile::by_model(4001).unwrap();
+    assert_eq!(Some(old), devices::Profile::find("First"));
     assert_eq!((old.generation, old.manual, old.also), (Some(1), None, &["First"][..]));
     assert_eq!(old.incomplete, ["No manual is known; see `tools.ping`."]);
     assert!(old.has::<tools::Ping>() && !old.has::<measurements::Numbers>());
     assert!(old.supports(0x80, 0x02).is_none());
     assert_eq!(old.may_support(0x80, 0x02).unwrap().evidence, Some("All old devices have it."));
-    assert_eq!(devices::Device::find("Model See"), Some(&devices::MODEL_C));
-    assert_eq!(devices::Device::find("model-a").and_then(|d| d.manual), Some("guide"));
-    assert!(devices::Device::find("Model").is_none() && devices::Device::by_model(0).is_none());
+    assert_eq!(devices::Profile::find("Model See"), Some(&devices::MODEL_C));
+    assert_eq!(devices::Profile::find("model-a").and_then(|d| d.manual), Some("guide"));
+    assert!(devices::Profile::find("Model").is_none() && devices::Profile::by_model(0).is_none());
 }
 
 #[test]

@@ -45,6 +45,9 @@ fn packets_are_kept_and_built_on_without_checking_them_again() {
     assert_eq!(Vec::from(kept.clone()), PING);
     assert_eq!(PacketBuf::try_from(PING.to_vec()), Ok(kept.clone()));
     assert_eq!(PacketBuf::try_from(vec![0x75]), Err(PacketError::Sync));
+    assert_eq!(PacketBuf::try_from(&PING[..]), Ok(kept.clone()));
+    assert_eq!(PacketBuf::try_from(&PING[..7]), Err(PacketError::Length));
+    assert_eq!(PacketBuilder::from(kept.clone()), built);
     assert_eq!(Packet::try_from(&PING[..]), Ok(packet));
     assert_eq!(Packet::try_from(&PING[1..]), Err(PacketError::Sync));
     let mut more = PacketBuilder::from(packet);
@@ -300,6 +303,17 @@ fn what_is_not_asked_for_stays_in_the_chunk() {
     assert_eq!(packets.next().unwrap().bytes(), PING);
     assert!(packets.next().is_none() && packets.next().is_none() && packets.rest().is_empty());
     assert_eq!(parser.feed(&PING[5..]).next().unwrap().bytes(), PING);
+    assert_eq!((parser.pending(), parser.skipped()), (0, 2));
+}
+
+#[test]
+fn each_packet_of_a_chunk_is_given_once() {
+    let mut parser = Parser::new();
+    let stream = [&PING[..], b"no", &PING, &PING[..5]].concat();
+    let mut found = Vec::new();
+    parser.feed(&stream).for_each(|packet| found.push(PacketBuf::from(packet)));
+    parser.feed(&PING[5..]).for_each(|packet| found.push(packet.into()));
+    assert!(found.len() == 3 && found.iter().all(|packet| packet.bytes() == PING));
     assert_eq!((parser.pending(), parser.skipped()), (0, 2));
 }
 

@@ -4,11 +4,13 @@ use std::collections::hash_map::DefaultHasher;
 use std::collections::HashSet;
 use std::hash::{Hash, Hasher};
 
+use mip_protocol::device::DeviceError;
 use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
-    measurements, tools, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List,
-    Packet, PacketBuilder, RawField, VarText,
+    checksum, measurements, shared, tools, Answer, AnyField, Bool, Command, CommandError,
+    DecodeErrorKind, EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, RequestError,
+    Role, VarText,
 };
 
 // ------------------------------------------------------------------------------------------ lists
@@ -36,6 +38,18 @@ fn lists_are_collections() {
 }
 
 #[test]
+fn lists_are_made_of_vectors_and_compared_with_them() {
+    let items = vec![1_u16, 2];
+    let command = tools::List::write(&items);
+    assert_eq!(command, tools::List::write(items.clone()));
+    let list = command.items.unwrap();
+    assert!(list == items && items == list && list == [1, 2] && [1, 2] == list);
+    assert!(items[..] == list && items.as_slice() == list && list != vec![1] && vec![1] != list);
+    let (all, first): (List<u8, 4>, List<u8, 4>) = (vec![7; 5].into(), (&vec![7; 4]).into());
+    assert!(all.overflowed() && all != first && all != vec![7; 4] && vec![7; 4] == first);
+}
+
+#[test]
 fn a_list_that_overflowed_is_never_encoded() {
     let four: List<u16, 4> = [1, 2, 3, 4].as_slice().into();
     let mut five: List<u16, 4> = (1..=5).collect();
@@ -47,7 +61,17 @@ fn a_list_that_overflowed_is_never_encoded() {
     let error = List::<u16, 4>::from_slice(&[0; 7]).unwrap_err();
     assert_eq!((error.need, error.got), (7, 4));
     assert_eq!(error.to_string(), "there are 7 items, the list can hold 4");
-    assert_eq!((five.pop(), five.overflowed(), five.len()), (Some(4), false, 3));
+    assert_eq!((five.pop(), five.overflowed(), five.as_slice()), (Some(4), true, &[1, 2, 3][..]));
+    assert_eq!((five.pop(), five.pop(), five.as_mut_slice()), (Some(3), Some(2), &mut [1][..]));
+    assert!(five != [1] && five.push(6).is_err());
+    five.extend([6]);
+    assert_eq!((five.clone().into_iter().count(), five.pop(), five.pop()), (1, Some(1), None));
+    assert!(five.overflowed() && five.is_empty());
+    five.clear();
+    assert!(!five.overflowed() && five.push(7).is_ok() && five == [7]);
+    let mut items = tools::List::write([7; 300].as_slice());
+    items.items.as_mut().unwrap().pop();
+    assert_eq!(items.to_vec().unwrap_err().kind, EncodeErrorKind::Count);
     let most = tools::List::write([0; 0]).items.unwrap().capacity();
     for length in 0..=300 {
         let command = tools::List::write(vec![7; length].as_slice());
@@ -109,6 +133,12 @@ fn bitfields_name_their_bits() {
     assert_eq!(flags.into_iter().fold(StateFlags::empty(), |a, b| a | b), flags);
     assert_eq!(format!("{:?}", StateFlags(0x8000)), "StateFlags(0x8000)");
     assert_eq!(format!("{:?}", StateFlags(0)), "StateFlags()");
+    // `any` has the bits of `ready` and `hot`.
+    assert_eq!(format!("{:?}", StateFlags(0x0001)), "StateFlags(ready)");
+    assert_eq!(
+        format!("{:?}", StateFlags(0x8353)),
+        "StateFlags(ready | hot | level=5 | mode=3 | 0x8000)"
+    );
 }
 
 #[test]
@@ -124,6 +154,26 @@ fn bitfields_of_bytes_are_sets_too() {
     (unknown[0], unknown[7]) = (1, 0x0A);
     assert_eq!(format!("{:?}", Health(unknown)), "Health(clock | 0xa00000000000000)");
     assert_eq!(Health(unknown).iter().count(), 2);
+}
+
+#[test]
+fn bitfields_are_written_as_numbers() {
+    let flags = StateFlags(0x8A51);
+    assert_eq!(format!("{flags:x} {flags:X} {flags:#x} {flags:#06X}"), "8a51 8A51 0x8a51 0x8A51");
+    assert_eq!(
+        format!("{:o} {:#b} {:08b}", flags, StateFlags(5), StateFlags(5)),
+        "105121 0b101 00000101"
+    );
+    let mut bytes = [0; 16];
+    (bytes[0], bytes[7]) = (0x1F, 0x0A);
+    let number = u128::from_le_bytes(bytes);
+    let health = Health(bytes);
+    assert_eq!(format!("{health:x} {health:#X}"), format!("{number:x} {number:#X}"));
+    assert_eq!(format!("{health:<20x}|{health:#034x}"), format!("{number:<20x}|{number:#034x}"));
+    assert_eq!(
+        format!("{:x} {:#X}", Health([0xFF; 16]), Health::empty()),
+        format!("{:x} 0x0", u128::MAX)
+    );
 }
 
 // -------------------------------------------------------------------------------- truth, Eq, Hash
@@ -154,6 +204,26 @@ fn values_without_floats_are_keys() {
     assert_ne!(hash(&tools::List::write([1])), hash(&tools::List::write([2])));
 }
 
+static COMMANDS: (tools::Ping, tools::Bias) = (tools::Ping::new(), tools::Bias::read());
+
+#[test]
+fn commands_without_arguments_are_constants() {
+    assert_eq!(COMMANDS, (tools::Ping, tools::Bias::read()));
+}
+
+#[test]
+fn answers_and_their_errors_are_keys() {
+    let error = EncodeErrorKind::Count;
+    let full = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    let errors: HashSet<_> = [RequestError::Busy, full.into(), RequestError::Busy].into();
+    assert_eq!((errors.len(), full.kind == error), (2, false));
+    let answers: HashSet<_> = [Answer::Acknowledged(Some(1_u8)), Answer::TimedOut].into();
+    assert!(answers.contains(&Answer::TimedOut) && !answers.contains(&Answer::Silent));
+    let failed: HashSet<_> = [DeviceError::<u8>::Closed, CommandError::TimedOut.into()].into();
+    assert!(failed.contains(&DeviceError::Command(CommandError::TimedOut)));
+    assert_eq!(format!("{:>9}|{}", Role::Command, Role::Data), "  command|data");
+}
+
 // ----------------------------------------------------------------------------------------- errors
 
 #[test]
@@ -170,6 +240,19 @@ fn errors_tell_the_field_and_what_it_needs() {
     assert_eq!(error.to_string(), "tools.settings: 0 of 1 required values are present");
     let error = measurements::Numbers::default().encode(&mut [0; 43]).unwrap_err();
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
+    let error = measurements::Accel::default().encode(&mut [0; 3]).unwrap_err();
+    assert_eq!((error.need, error.got), (14, 3));
+    let error = PacketBuilder::with(&shared::Timestamp::default()).unwrap_err();
+    assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Set, 0xFF, 0xFF));
+    let remedy = "shared.timestamp: it belongs in packets of data sets, not in one of set 0xff; \
+                  begin the packet with PacketBuilder::new and push it";
+    assert_eq!(error.to_string(), remedy);
+    let error = PacketBuilder::new(1).push(&shared::Timestamp::default()).unwrap_err();
+    assert_eq!(error.to_string(), remedy.replace("0xff", "0x01"));
+    let error = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
+    assert_eq!(error.to_string(), "no packet has set 0x00");
+    let error = PacketBuilder::new(0xFF).push_raw(1, &[]).unwrap_err();
+    assert_eq!(error.to_string(), "no packet has set 0xff");
     let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();
     assert_eq!(error.to_string(), "tools.ping: set 0x01 in a packet of set 0x80");
     let error: Box<dyn std::error::Error> = Box::new(error.kind);
@@ -196,6 +279,47 @@ fn an_absent_field_is_no_broken_one() {
     let broken = packet.find::<measurements::Numbers>().unwrap().unwrap_err();
     assert_eq!(broken.kind, DecodeErrorKind::Truncated);
     assert_eq!(packet.find::<measurements::Accel>(), None);
+}
+
+#[test]
+fn a_field_that_the_packet_cuts_is_no_absent_one() {
+    let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
+    for have in 0..=14 {
+        // It has all values that it needs, and yet not the bytes that its length announces.
+        let bytes = sealed(measurements::SET, &payload[..have + 4]);
+        let packet = Packet::new(&bytes).unwrap();
+        let expected = (measurements::Accel::NAME, DecodeErrorKind::Truncated, 14, have);
+        let Some(found) = packet.find::<measurements::Accel>() else { panic!("{have}: absent") };
+        match found {
+            Ok(_) => assert_eq!(have, 14),
+            Err(e) => assert_eq!((e.field, e.kind, e.need, e.got), expected),
+        }
+        assert_eq!(packet.find::<measurements::Numbers>(), None);
+        let other = sealed(0x81, &payload[..have + 4]);
+        assert_eq!(Packet::new(&other).unwrap().find::<measurements::Accel>(), None);
+    }
+    // Values that are all there do not help: 12 bytes are announced, and 10 follow.
+    let bytes = sealed(0x9F, &[[14, 0xD3].as_slice(), &[0; 10]].concat());
+    let error = Packet::new(&bytes).unwrap().find::<shared::Timestamp>().unwrap().unwrap_err();
+    assert_eq!((error.need, error.got), (12, 10));
+    // Constants and sizes tell layouts apart, as far as the data reach.
+    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x12]);
+    let packet = Packet::new(&bytes).unwrap();
+    assert!(matches!(packet.find::<tools::Status>(), Some(Err(e)) if e.got == 1));
+    let bytes = sealed(tools::SET, &[6, tools::Status::DESCRIPTOR, 0x13]);
+    assert_eq!(Packet::new(&bytes).unwrap().find::<tools::Status>(), None);
+    // Nobody can tell what a field without a descriptor is.
+    for length in 0..2 {
+        let bytes = sealed(measurements::SET, &[length, measurements::Accel::DESCRIPTOR]);
+        assert_eq!(Packet::new(&bytes).unwrap().find::<measurements::Accel>(), None);
+    }
+}
+
+/// A packet of any payload.
+fn sealed(set: u8, payload: &[u8]) -> Vec<u8> {
+    let mut bytes = [&[0x75, 0x65, set, payload.len() as u8], payload].concat();
+    bytes.extend(checksum(&bytes));
+    bytes
 }
 
 // --------------------------------------------------------------------------------------- registry

@@ -9,10 +9,13 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::task::{Context, Poll, Wake, Waker};
 
-use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedPort};
+use embedded_io::ErrorKind;
+use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedError, EmbeddedPort};
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
-use mip_protocol::{measurements, tools, Answer, Client, CommandError, Field, PacketBuilder};
+use mip_protocol::{
+    measurements, tools, Answer, AnyField, Client, CommandError, Field, Outcome, PacketBuilder,
+};
 
 /// A line on which each packet is answered, byte by byte; while nothing comes, time goes on.
 #[derive(Default)]
@@ -269,6 +272,38 @@ fn an_answer_that_comes_after_its_future_was_dropped_is_data() {
 }
 
 #[test]
+fn a_late_answer_is_not_that_of_the_next_command() {
+    let answer = |x| {
+        let mut answer = ack(5, AckCode::OK);
+        answer.push(&tools::BiasVector { bias: Vector3f { x, ..BIAS.bias } }).unwrap();
+        answer
+    };
+    let read = tools::Bias::read();
+    let late = DeviceError::Command(CommandError::TimedOut);
+    let [theirs, ours] = [answer(9.0), answer(BIAS.bias.x)];
+    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    assert_eq!(block_on(&uart, device.request(&read)), Err(late));
+    uart.0.borrow_mut().coming.extend(theirs.bytes());
+    assert_eq!(block_on(&uart, device.request(&read)), Ok(BIAS));
+    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
+    // Reading what has arrived ends, even if bytes arrive all the time.
+    uart.0.borrow_mut().flooded = true;
+    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+
+    let uart = Uart::answering(&[vec![], ours.bytes().to_vec()]);
+    let clock = uart.clone();
+    let mut device = Device::new(EmbeddedPort::new(uart.clone(), move || clock.now()));
+    assert_eq!(device.request(&read), Err(CommandError::TimedOut.into()));
+    uart.0.borrow_mut().coming.extend(theirs.bytes());
+    assert_eq!(device.request(&read), Ok(BIAS));
+    let packet = device.next_packet(50).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(theirs.bytes()));
+}
+
+#[test]
 fn a_program_that_was_stopped_finds_what_came_in_time() {
     let mut answer = ack(5, AckCode::OK);
     answer.push(&BIAS).unwrap();
@@ -294,9 +329,9 @@ fn time_goes_on_while_noise_comes_without_end() {
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
-    assert_eq!(uart.now(), 1000 + 63); // it could be what came in time
+    assert_eq!(uart.now(), 63 + 1000 + 63); // what came before it, and what could have come in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
-    assert_eq!(uart.now(), 1113 + 63);
+    assert_eq!(uart.now(), 63 + 1113 + 63);
 }
 
 #[test]
@@ -312,4 +347,169 @@ fn packets_behind_noise_are_found_before_a_port_is_closed() {
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(data.bytes()));
     assert_eq!(block_on(&uart, device.next_packet(50)).unwrap_err(), DeviceError::Closed);
+}
+
+/// A UART of which each fourth operation, starting with the first, fails with an error of this
+/// kind, and which accepts at most so many bytes.
+#[derive(Clone)]
+struct Shaky {
+    uart: Uart,
+    read: ErrorKind,
+    write: ErrorKind,
+    accepts: usize,
+    operations: u32,
+}
+
+/// Each operation fails.
+const ALWAYS: u32 = u32::MAX;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Failed(ErrorKind);
+
+impl std::fmt::Display for Failed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:?}", self.0)
+    }
+}
+
+impl std::error::Error for Failed {}
+
+impl embedded_io::Error for Failed {
+    fn kind(&self) -> ErrorKind {
+        self.0
+    }
+}
+
+impl Shaky {
+    fn new(read: ErrorKind, write: ErrorKind, accepts: usize) -> Self {
+        let uart = Uart::default();
+        Self { uart, read, write, accepts, operations: 0 }
+    }
+
+    fn fails(&mut self, kind: ErrorKind) -> Result<(), Failed> {
+        self.operations = self.operations.saturating_add(1);
+        if self.operations % 4 == 1 || self.operations == ALWAYS {
+            Err(Failed(kind))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The answer to a ping arrives when all of it has been accepted.
+    fn accept(&mut self, bytes: &[u8]) -> Result<usize, Failed> {
+        self.fails(self.write)?;
+        if self.accepts >= bytes.len() {
+            self.uart.0.borrow_mut().coming.extend(ack(1, AckCode::OK).bytes());
+        }
+        Ok(bytes.len().min(self.accepts))
+    }
+}
+
+impl embedded_io::ErrorType for Shaky {
+    type Error = Failed;
+}
+
+impl embedded_io::ReadReady for Shaky {
+    fn read_ready(&mut self) -> Result<bool, Failed> {
+        self.fails(self.read)?;
+        Ok(embedded_io::ReadReady::read_ready(&mut self.uart).unwrap())
+    }
+}
+
+impl embedded_io::Read for Shaky {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Failed> {
+        self.fails(self.read)?;
+        Ok(embedded_io::Read::read(&mut self.uart, buffer).unwrap())
+    }
+}
+
+impl embedded_io::Write for Shaky {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Failed> {
+        self.accept(bytes)
+    }
+
+    fn flush(&mut self) -> Result<(), Failed> {
+        Ok(())
+    }
+}
+
+impl embedded_io_async::Read for Shaky {
+    async fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Failed> {
+        self.fails(self.read)?;
+        Ok(embedded_io_async::Read::read(&mut self.uart, buffer).await.unwrap())
+    }
+}
+
+impl embedded_io_async::Write for Shaky {
+    async fn write(&mut self, bytes: &[u8]) -> Result<usize, Failed> {
+        self.accept(bytes)
+    }
+
+    async fn flush(&mut self) -> Result<(), Failed> {
+        Ok(())
+    }
+}
+
+fn at<P>(port: &Shaky, of: impl FnOnce(Shaky, Uart) -> P) -> P {
+    of(port.clone(), port.uart.clone())
+}
+
+fn blocking(port: &Shaky) -> Result<(), DeviceError<EmbeddedError<Failed>>> {
+    at(port, |port, uart| {
+        Device::new(EmbeddedPort::new(port, move || uart.now())).run(&tools::Ping)
+    })
+}
+
+fn awaited(port: &Shaky) -> Result<(), DeviceError<Failed>> {
+    at(port, |port, uart| {
+        let mut device = AsyncDevice::new(port, |ms| sleep(&uart, ms));
+        block_on(&uart, device.run(&tools::Ping))
+    })
+}
+
+#[test]
+fn errors_that_only_mean_that_it_is_to_be_tried_again() {
+    use ErrorKind::{BrokenPipe, Interrupted, TimedOut};
+    for kind in [Interrupted, TimedOut] {
+        assert_eq!(blocking(&Shaky::new(kind, Interrupted, 3)), Ok(()));
+        assert_eq!(awaited(&Shaky::new(kind, Interrupted, 3)), Ok(()));
+    }
+    // They take time like any other wait.
+    let port = Shaky { operations: ALWAYS, ..Shaky::new(TimedOut, Interrupted, 3) };
+    let mut device = AsyncDevice::new(port.clone(), |ms| sleep(&port.uart, ms));
+    assert!(block_on(&port.uart, device.next_packet(100)).unwrap().is_none());
+    assert_eq!(device.port().accepts, 3);
+    assert_eq!(device.into_port().read, TimedOut);
+    // Others end the command.
+    let broken = Shaky::new(BrokenPipe, Interrupted, 3);
+    let error = DeviceError::Port(EmbeddedError::Driver(Failed(BrokenPipe)));
+    assert_eq!(blocking(&broken), Err(error));
+    assert_eq!(error.to_string(), "port: BrokenPipe");
+    assert_eq!(awaited(&broken), Err(DeviceError::Port(Failed(BrokenPipe))));
+    let mut late = Shaky::new(Interrupted, TimedOut, 3);
+    let error = DeviceError::Port(EmbeddedError::Driver(Failed(TimedOut)));
+    assert_eq!(blocking(&late), Err(error));
+    late.operations = 3; // the first reads what has arrived
+    assert_eq!(awaited(&late), Err(DeviceError::Port(Failed(TimedOut))));
+}
+
+#[test]
+fn a_port_that_accepts_no_bytes() {
+    use ErrorKind::Interrupted;
+    let port = Shaky::new(Interrupted, Interrupted, 0);
+    assert_eq!(blocking(&port), Err(DeviceError::Port(EmbeddedError::WriteZero)));
+    assert_eq!(EmbeddedError::<Failed>::WriteZero.to_string(), "the driver accepts no bytes");
+    assert_eq!(awaited(&port), Err(DeviceError::Closed));
+}
+
+#[test]
+fn commands_whose_type_is_known_at_run_time_and_no_commands() {
+    let uart = Uart::answering(&[ack(1, AckCode::OK).bytes().to_vec()]);
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    block_on(&uart, device.send_all(0, |_| Ok(()))).unwrap();
+    assert_eq!(uart.0.borrow().replies.len(), 1); // nothing was written
+    let ping = AnyField::from(tools::Ping);
+    let ticket = block_on(&uart, device.send_all(tools::SET, |r| r.add_any(&ping))).unwrap();
+    assert_eq!(device.event(&ticket).map(|event| event.outcome), Some(Outcome::Acknowledged));
 }

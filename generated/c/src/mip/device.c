@@ -3,6 +3,13 @@
 
 #include <string.h>
 
+/** For how many milliseconds after a time-out a late answer is looked for. */
+#define LATE 10000
+
+/** Before a command, reading what has arrived ends after so many reads, or milliseconds. */
+#define CATCH_UP_READS 64
+#define CATCH_UP_TIME 100
+
 void mip_device_init(struct mip_device *device, const struct mip_port *port,
                      const struct mip_handler *handlers, size_t handler_count) {
     device->port = *port;
@@ -10,6 +17,8 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     device->handler_count = handlers != NULL ? handler_count : 0;
     device->silence = MIP_DEFAULT_SILENCE;
     device->heard = 0;
+    device->missed = 0;
+    device->owed = false;
     device->busy = false;
     mip_client_init(&device->client);
     mip_parser_init(&device->parser);
@@ -42,8 +51,9 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     }
 }
 
-/** Reads once, into these bytes, and updates the time. False if the port is gone. */
-static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
+/** Reads once, into these bytes, and updates the time; `*came`: was there anything? False if the
+ * port is gone. */
+static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool *came) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;
     struct mip_packet packet;
@@ -53,7 +63,8 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
     if (!open) {
         size = 0;
     }
-    if (size > 0) {
+    *came = size > 0;
+    if (*came) {
         device->heard = now;
     } else if (!open ||
                (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence)) {
@@ -72,7 +83,26 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
-    return device->busy || update(device, bytes, sizeof(bytes));
+    bool came;
+    return device->busy || update(device, bytes, sizeof(bytes), &came);
+}
+
+/** Reads and handles what has arrived. If there is no end, it is arriving now: it is enough then.
+ */
+static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
+    const struct mip_port *port = &device->port;
+    const uint32_t start = port->now(port->user);
+    struct mip_packet packet;
+    unsigned left = CATCH_UP_READS;
+    bool came = true;
+    bool open = true;
+    while (open && came && left > 0 && (uint32_t)(port->now(port->user) - start) < CATCH_UP_TIME) {
+        open = update(device, bytes, room, &came);
+        left--;
+    }
+    while (mip_parser_look_behind(&device->parser, &packet)) {
+        handle(device, &packet);
+    }
 }
 
 static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, uint8_t error) {
@@ -115,6 +145,12 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
         }
         return result_of(MIP_BUSY, 0, MIP_OK);
     }
+    if (device->owed) {
+        device->owed = (uint32_t)(port->now(port->user) - device->missed) < LATE;
+        if (device->owed) {
+            catch_up(device, bytes, sizeof(bytes));
+        }
+    }
     mip_builder_start(&builder, bytes, sizeof(bytes), command->codec->descriptor_set);
     const mip_error error = mip_client_send(&device->client, &request, &builder, command, value,
                                             codec, response, port->now(port->user));
@@ -127,9 +163,14 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
         return result_of(MIP_NOT_SENT, 0, MIP_OK);
     }
     while (request.state == MIP_REQUEST_WAITING) {
-        if (!update(device, bytes, sizeof(bytes))) {
+        bool came;
+        if (!update(device, bytes, sizeof(bytes), &came)) {
             mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
         }
+    }
+    if (request.state == MIP_REQUEST_TIMED_OUT) {
+        device->missed = port->now(port->user);
+        device->owed = true;
     }
     return result_of(outcome_of(&request), request.code, request.error);
 }

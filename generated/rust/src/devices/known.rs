@@ -1,12 +1,12 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Device, Limit, Port, Variant};
+use super::{BaseRate, Limit, Profile, ProfilePort, Variant};
 use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[
+pub static ALL: &[&Profile] = &[
     &CL5_10,
     &CL5_15,
     &CL5_25,
@@ -56,7 +56,7 @@ pub static ALL: &[&Device] = &[
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static CL5_10: Device = Device {
+pub static CL5_10: Profile = Profile {
     id: "3dm-cl5-10",
     title: "3DM-CL5-10",
     description: "Inertial measurement unit.",
@@ -101,7 +101,7 @@ pub static CL5_10: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CL5_15: Device = Device {
+pub static CL5_15: Profile = Profile {
     id: "3dm-cl5-15",
     title: "3DM-CL5-15",
     description: "Attitude reference.",
@@ -176,7 +176,7 @@ pub static CL5_15: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CL5_25: Device = Device {
+pub static CL5_25: Profile = Profile {
     id: "3dm-cl5-25",
     title: "3DM-CL5-25",
     description: "Attitude and heading reference system.",
@@ -246,7 +246,7 @@ pub static CL5_25: Device = Device {
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
 #[rustfmt::skip]
-pub static CV5_10: Device = Device {
+pub static CV5_10: Profile = Profile {
     id: "3dm-cv5-10",
     title: "3DM-CV5-10",
     description: "Inertial measurement unit.",
@@ -309,7 +309,7 @@ pub static CV5_10: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CV5_15: Device = Device {
+pub static CV5_15: Profile = Profile {
     id: "3dm-cv5-15",
     title: "3DM-CV5-15",
     description: "Attitude reference.",
@@ -384,7 +384,7 @@ pub static CV5_15: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CV5_25: Device = Device {
+pub static CV5_25: Profile = Profile {
     id: "3dm-cv5-25",
     title: "3DM-CV5-25",
     description: "Attitude and heading reference system.",
@@ -472,7 +472,7 @@ pub static CV5_25: Device = Device {
 /// According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or
 /// timestamp events.
 #[rustfmt::skip]
-pub static CV7_AHRS: Device = Device {
+pub static CV7_AHRS: Profile = Profile {
     id: "3dm-cv7-ahrs",
     title: "3DM-CV7-AHRS",
     description: "Attitude and heading reference system.",
@@ -516,7 +516,7 @@ pub static CV7_AHRS: Device = Device {
         BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x01),
             baud_rates: &[115200, 230400, 460800, 921600],
@@ -605,7 +605,7 @@ pub static CV7_AHRS: Device = Device {
 /// According to MSCL, each of the pins 1 to 4 can be a GPIO, receive or send pulses (PPS), or
 /// timestamp events.
 #[rustfmt::skip]
-pub static CV7_AR: Device = Device {
+pub static CV7_AR: Profile = Profile {
     id: "3dm-cv7-ar",
     title: "3DM-CV7-AR",
     description: "Attitude reference.",
@@ -649,7 +649,7 @@ pub static CV7_AR: Device = Device {
         BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x01),
             baud_rates: &[115200, 230400, 460800, 921600],
@@ -847,7 +847,7 @@ pub static CV7_AR: Device = Device {
 /// Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a duty
 /// cycle of 50 %; each second begins at its rising edge.
 #[rustfmt::skip]
-pub static CV7_GNSS_INS: Device = Device {
+pub static CV7_GNSS_INS: Profile = Profile {
     id: "3dm-cv7-gnss-ins",
     title: "3DM-CV7-GNSS/INS",
     description: "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.",
@@ -1052,37 +1052,37 @@ pub static CV7_GNSS_INS: Device = Device {
         BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x01),
             baud_rates: &[],
             protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
         },
-        Port {
+        ProfilePort {
             name: "UART 1",
             id: Some(0x11),
             baud_rates: &[115200, 230400, 460800, 921600, 3000000],
             protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
         },
-        Port {
+        ProfilePort {
             name: "UART 2",
             id: Some(0x12),
             baud_rates: &[4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600],
             protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
         },
-        Port {
+        ProfilePort {
             name: "UART 3",
             id: Some(0x13),
             baud_rates: &[4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600],
             protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
         },
-        Port {
+        ProfilePort {
             name: "USB 1",
             id: Some(0x21),
             baud_rates: &[],
             protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
         },
-        Port {
+        ProfilePort {
             name: "USB 2",
             id: Some(0x22),
             baud_rates: &[],
@@ -1305,7 +1305,7 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static CV7_INS: Device = Device {
+pub static CV7_INS: Profile = Profile {
     id: "3dm-cv7-ins",
     title: "3DM-CV7-INS",
     description: "Inertial navigation system without a GNSS receiver of its own.",
@@ -1372,7 +1372,7 @@ pub static CV7_INS: Device = Device {
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
 #[rustfmt::skip]
-pub static CX5_10: Device = Device {
+pub static CX5_10: Profile = Profile {
     id: "3dm-cx5-10",
     title: "3DM-CX5-10",
     description: "Inertial measurement unit.",
@@ -1436,7 +1436,7 @@ pub static CX5_10: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CX5_15: Device = Device {
+pub static CX5_15: Profile = Profile {
     id: "3dm-cx5-15",
     title: "3DM-CX5-15",
     description: "Attitude reference.",
@@ -1500,7 +1500,7 @@ pub static CX5_15: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static CX5_25: Device = Device {
+pub static CX5_25: Profile = Profile {
     id: "3dm-cx5-25",
     title: "3DM-CX5-25",
     description: "Attitude and heading reference system.",
@@ -1557,7 +1557,7 @@ pub static CX5_25: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
-pub static CX5_35: Device = Device {
+pub static CX5_35: Profile = Profile {
     id: "3dm-cx5-35",
     title: "3DM-CX5-35",
     description: "Attitude and heading reference with GNSS.",
@@ -1614,7 +1614,7 @@ pub static CX5_35: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
-pub static CX5_45: Device = Device {
+pub static CX5_45: Profile = Profile {
     id: "3dm-cx5-45",
     title: "3DM-CX5-45",
     description: "Inertial navigation system with GNSS.",
@@ -1665,7 +1665,7 @@ pub static CX5_45: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static DH3: Device = Device {
+pub static DH3: Profile = Profile {
     id: "3dm-dh3",
     title: "3DM-DH3",
     description: "Device of generation 3, known only by its name and its number.",
@@ -1724,7 +1724,7 @@ pub static DH3: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGq4_45Response`](crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response).
 #[rustfmt::skip]
-pub static GQ4_45: Device = Device {
+pub static GQ4_45: Profile = Profile {
     id: "3dm-gq4-45",
     title: "3DM-GQ4-45",
     description: "Tactical grade inertial navigation system with GNSS.",
@@ -1869,7 +1869,7 @@ pub static GQ4_45: Device = Device {
 ///
 /// Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.
 #[rustfmt::skip]
-pub static GQ7: Device = Device {
+pub static GQ7: Profile = Profile {
     id: "3dm-gq7",
     title: "3DM-GQ7-GNSS/INS",
     description: "Inertial navigation system with two GNSS receivers.",
@@ -1913,13 +1913,13 @@ pub static GQ7: Device = Device {
         BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x01),
             baud_rates: &[115200, 230400, 460800, 921600],
             protocols: &["MIP", "NMEA"],
         },
-        Port {
+        ProfilePort {
             name: "Aux",
             id: Some(0x02),
             baud_rates: &[],
@@ -1948,7 +1948,7 @@ pub static GQ7: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GV7_AHRS: Device = Device {
+pub static GV7_AHRS: Profile = Profile {
     id: "3dm-gv7-ahrs",
     title: "3DM-GV7-AHRS",
     description: "Attitude and heading reference system.",
@@ -1987,7 +1987,7 @@ pub static GV7_AHRS: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GV7_AR: Device = Device {
+pub static GV7_AR: Profile = Profile {
     id: "3dm-gv7-ar",
     title: "3DM-GV7-AR",
     description: "Attitude reference.",
@@ -2026,7 +2026,7 @@ pub static GV7_AR: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GV7_INS: Device = Device {
+pub static GV7_INS: Profile = Profile {
     id: "3dm-gv7-ins",
     title: "3DM-GV7-INS",
     description: "Inertial navigation system.",
@@ -2065,7 +2065,7 @@ pub static GV7_INS: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GX3_15: Device = Device {
+pub static GX3_15: Profile = Profile {
     id: "3dm-gx3-15",
     title: "3DM-GX3-15",
     description: "Device of generation 3, known only by its name and its number.",
@@ -2115,7 +2115,7 @@ pub static GX3_15: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GX3_25: Device = Device {
+pub static GX3_25: Profile = Profile {
     id: "3dm-gx3-25",
     title: "3DM-GX3-25",
     description: "Device of generation 3, known only by its name and its number.",
@@ -2165,7 +2165,7 @@ pub static GX3_25: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GX3_35: Device = Device {
+pub static GX3_35: Profile = Profile {
     id: "3dm-gx3-35",
     title: "3DM-GX3-35",
     description: "Device of generation 3, known only by its name and its number.",
@@ -2215,7 +2215,7 @@ pub static GX3_35: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static GX3_45: Device = Device {
+pub static GX3_45: Profile = Profile {
     id: "3dm-gx3-45",
     title: "3DM-GX3-45",
     description: "Device of generation 3, known only by its name and its number.",
@@ -2302,7 +2302,7 @@ pub static GX3_45: Device = Device {
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
 #[rustfmt::skip]
-pub static GX4_15: Device = Device {
+pub static GX4_15: Profile = Profile {
     id: "3dm-gx4-15",
     title: "3DM-GX4-15",
     description: "Device of generation 4, known only by its name and its number.",
@@ -2378,7 +2378,7 @@ pub static GX4_15: Device = Device {
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
 #[rustfmt::skip]
-pub static GX4_25: Device = Device {
+pub static GX4_25: Profile = Profile {
     id: "3dm-gx4-25",
     title: "3DM-GX4-25",
     description: "Device of generation 4, known only by its name and its number.",
@@ -2459,7 +2459,7 @@ pub static GX4_25: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
-pub static GX4_45: Device = Device {
+pub static GX4_45: Profile = Profile {
     id: "3dm-gx4-45",
     title: "3DM-GX4-45",
     description: "Device of generation 4, known only by its name and its number.",
@@ -2541,7 +2541,7 @@ pub static GX4_45: Device = Device {
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
 #[rustfmt::skip]
-pub static GX5_10: Device = Device {
+pub static GX5_10: Profile = Profile {
     id: "3dm-gx5-10",
     title: "3DM-GX5-10",
     description: "Inertial measurement unit.",
@@ -2636,7 +2636,7 @@ pub static GX5_10: Device = Device {
 /// Meanwhile, only that command and [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) are
 /// available.
 #[rustfmt::skip]
-pub static GX5_15: Device = Device {
+pub static GX5_15: Profile = Profile {
     id: "3dm-gx5-15",
     title: "3DM-GX5-15",
     description: "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
@@ -2726,13 +2726,13 @@ pub static GX5_15: Device = Device {
         BaseRate { set: 0x82, hertz: 500.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "UART 1",
             id: None,
             baud_rates: &[9600, 19200, 115200, 230400, 460800, 921600],
             protocols: &["MIP"],
         },
-        Port {
+        ProfilePort {
             name: "USB",
             id: None,
             baud_rates: &[],
@@ -2887,7 +2887,7 @@ pub static GX5_15: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
-pub static GX5_25: Device = Device {
+pub static GX5_25: Profile = Profile {
     id: "3dm-gx5-25",
     title: "3DM-GX5-25",
     description: "Attitude and heading reference system.",
@@ -2967,7 +2967,7 @@ pub static GX5_25: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
-pub static GX5_35: Device = Device {
+pub static GX5_35: Profile = Profile {
     id: "3dm-gx5-35",
     title: "3DM-GX5-35",
     description: "Attitude and heading reference with GNSS.",
@@ -3151,7 +3151,7 @@ pub static GX5_35: Device = Device {
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
-pub static GX5_45: Device = Device {
+pub static GX5_45: Profile = Profile {
     id: "3dm-gx5-45",
     title: "3DM-GX5-45",
     description: "Inertial navigation system with GNSS, magnetometer and pressure sensor.",
@@ -3271,13 +3271,13 @@ pub static GX5_45: Device = Device {
         BaseRate { set: 0x82, hertz: 500.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "UART 1",
             id: None,
             baud_rates: &[9600, 19200, 115200, 230400, 460800, 921600],
             protocols: &["MIP"],
         },
-        Port {
+        ProfilePort {
             name: "USB",
             id: None,
             baud_rates: &[],
@@ -3348,7 +3348,7 @@ pub static GX5_45: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static MV5_AR: Device = Device {
+pub static MV5_AR: Profile = Profile {
     id: "3dm-mv5-ar",
     title: "3DM-MV5-AR",
     description: "Device of generation 5, known only by its name and its number.",
@@ -3414,7 +3414,7 @@ pub static MV5_AR: Device = Device {
 /// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
 /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
 #[rustfmt::skip]
-pub static RQ1_45_LT: Device = Device {
+pub static RQ1_45_LT: Profile = Profile {
     id: "3dm-rq1-45-lt",
     title: "3DM-RQ1-45-LT",
     description: "Ruggedized tactical grade inertial navigation system with GPS.",
@@ -3534,7 +3534,7 @@ pub static RQ1_45_LT: Device = Device {
 /// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
 /// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
 #[rustfmt::skip]
-pub static RQ1_45_ST: Device = Device {
+pub static RQ1_45_ST: Profile = Profile {
     id: "3dm-rq1-45-st",
     title: "3DM-RQ1-45-ST",
     description: "Ruggedized tactical grade inertial navigation system with GPS.",
@@ -3638,7 +3638,7 @@ pub static RQ1_45_ST: Device = Device {
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
-pub static RTK: Device = Device {
+pub static RTK: Profile = Profile {
     id: "3dm-rtk",
     title: "3DM-RTK",
     description: "Modem for GNSS corrections.",

@@ -55,7 +55,7 @@ macro_rules! record {
         impl $name {
             /// A command that has only its selector.
             #[inline]
-            fn bare($selector: $selector_type) -> Self {
+            const fn bare($selector: $selector_type) -> Self {
                 Self { $selector, $($member: None,)* }
             }
         }
@@ -109,6 +109,9 @@ macro_rules! wire {
             #[inline]
             fn encode_to(&self, writer: &mut $crate::Writer<'_>) -> Result<(), $crate::error::EncodeErrorKind> {
                 let Self { $($member),* } = self;
+                if Self::FIXED {
+                    writer.require(Self::SIZE)?;
+                }
                 $(encode!(writer selected $($step)*);)*
                 Ok(())
             }
@@ -127,42 +130,63 @@ macro_rules! constructors {
         $name:ident
         $(
             $(#[$meta:meta])*
-            fn $new:ident($($given:ident: $type:ty),* $(,)?) $(, $set:ident: $value:expr)*;
+            fn $new:ident($($given:tt)*) $(= $selector:ident)? $(, $set:ident: $value:expr)*;
         )*
     ) => {
         impl $name {
-            $(
-                $(#[$meta])*
-                #[inline]
-                #[must_use]
-                #[allow(clippy::too_many_arguments)]
-                pub fn $new($($given: $type),*) -> Self {
-                    Self { $($set: $value,)* $($given: $given.into(),)* }
-                }
-            )*
+            $(constructor!($(#[$meta])* $new($($given)*) $($selector)?; $($set: $value,)*);)*
+        }
+    };
+}
+
+/// One constructor. Without arguments it is a constant.
+macro_rules! constructor {
+    ($(#[$meta:meta])* $new:ident(); $($set:ident: $value:expr,)*) => {
+        $(#[$meta])*
+        #[inline]
+        #[must_use]
+        pub const fn $new() -> Self {
+            Self { $($set: $value,)* }
+        }
+    };
+    ($(#[$meta:meta])* $new:ident() $selector:ident; $($set:ident: $value:expr,)*) => {
+        $(#[$meta])*
+        #[inline]
+        #[must_use]
+        #[allow(clippy::needless_update)]
+        pub const fn $new() -> Self {
+            Self {
+                $($set: Some($value),)*
+                ..Self::bare($crate::protocol::FunctionSelector::$selector)
+            }
         }
     };
     (
-        $name:ident
-        $(
-            $(#[$meta:meta])*
-            fn $new:ident($($given:ident: $type:ty),* $(,)?) = $selector:ident $(, $set:ident: $value:expr)*;
-        )*
+        $(#[$meta:meta])*
+        $new:ident($($given:ident: $type:ty),+ $(,)?); $($set:ident: $value:expr,)*
     ) => {
-        impl $name {
-            $(
-                $(#[$meta])*
-                #[inline]
-                #[must_use]
-                #[allow(clippy::too_many_arguments, clippy::needless_update)]
-                pub fn $new($($given: $type),*) -> Self {
-                    Self {
-                        $($set: Some($value),)*
-                        $($given: Some($given.into()),)*
-                        ..Self::bare($crate::protocol::FunctionSelector::$selector)
-                    }
-                }
-            )*
+        $(#[$meta])*
+        #[inline]
+        #[must_use]
+        #[allow(clippy::too_many_arguments)]
+        pub fn $new($($given: $type),+) -> Self {
+            Self { $($set: $value,)* $($given: $given.into(),)+ }
+        }
+    };
+    (
+        $(#[$meta:meta])*
+        $new:ident($($given:ident: $type:ty),+ $(,)?) $selector:ident; $($set:ident: $value:expr,)*
+    ) => {
+        $(#[$meta])*
+        #[inline]
+        #[must_use]
+        #[allow(clippy::too_many_arguments, clippy::needless_update)]
+        pub fn $new($($given: $type),+) -> Self {
+            Self {
+                $($set: Some($value),)*
+                $($given: Some($given.into()),)+
+                ..Self::bare($crate::protocol::FunctionSelector::$selector)
+            }
         }
     };
 }

@@ -29,13 +29,19 @@
 //! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
 //! held back by noise are searched.
 //!
+//! **After a command that was not answered**, its answer may still arrive. For ten seconds, each
+//! command therefore first reads what has already arrived, and keeps it as data: a late answer is
+//! not taken for that of another command of the same type. This takes as long as one read without
+//! data. An answer that arrives after the next command was sent cannot be told from its answer,
+//! unless they are of different types: if a device may be that slow, use a longer time-out.
+//!
 //! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of
 //! the port ([`Device::port_mut`]), and check with a ping that the device answers.
 
 use core::fmt;
 
 use crate::client::{
-    after, has_passed, Answer, Client, CommandError, Request, RequestError, Ticket,
+    after, has_passed, Answer, Client, CommandError, Event, Request, RequestError, Ticket,
 };
 use crate::field::Command;
 use crate::packet::{Packet, MAX_PACKET};
@@ -51,7 +57,7 @@ mod standard;
 #[cfg(feature = "embedded-io-async")]
 pub use asynchronous::AsyncDevice;
 #[cfg(feature = "embedded-io")]
-pub use embedded::EmbeddedPort;
+pub use embedded::{EmbeddedError, EmbeddedPort};
 #[cfg(feature = "std")]
 pub use standard::StdPort;
 
@@ -71,8 +77,24 @@ pub trait Port {
     fn now_ms(&mut self) -> u32;
 }
 
+impl<P: Port + ?Sized> Port for &mut P {
+    type Error = P::Error;
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, P::Error> {
+        (**self).read(buffer)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), P::Error> {
+        (**self).write(bytes)
+    }
+
+    fn now_ms(&mut self) -> u32 {
+        (**self).now_ms()
+    }
+}
+
 /// Why a call failed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DeviceError<E> {
@@ -84,7 +106,7 @@ pub enum DeviceError<E> {
     Command(CommandError),
     /// The port could not read or write.
     Port(E),
-    /// The port is closed: no more bytes will arrive.
+    /// The port is closed: no more bytes will arrive, or it accepts none.
     Closed,
 }
 
@@ -112,11 +134,17 @@ impl<E: fmt::Display> fmt::Display for DeviceError<E> {
     }
 }
 
-#[cfg(feature = "std")]
-impl<E: fmt::Debug + fmt::Display> std::error::Error for DeviceError<E> {}
-
-#[cfg(all(feature = "core-error", not(feature = "std")))]
-impl<E: fmt::Debug + fmt::Display> core::error::Error for DeviceError<E> {}
+#[cfg(any(feature = "core-error", feature = "std"))]
+impl<E: crate::error::Error + 'static> crate::error::Error for DeviceError<E> {
+    fn source(&self) -> Option<&(dyn crate::error::Error + 'static)> {
+        match self {
+            Self::Request(error) => Some(error),
+            Self::Command(error) => Some(error),
+            Self::Port(error) => Some(error),
+            Self::NoResponse | Self::Closed => None,
+        }
+    }
+}
 
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;
@@ -127,6 +155,9 @@ const BACKLOG: u8 = 64;
 
 /// Reading them takes no longer than this many milliseconds; what takes longer is arriving now.
 const CATCH_UP: u32 = 100;
+
+/// For so many milliseconds after a command that was not answered, a late answer is looked for.
+const LATE: u32 = 10_000;
 
 /// Ends waiting after the deadline: nothing more has arrived, or too much.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
@@ -208,6 +239,11 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     ) -> Result<Option<C::Response>, DeviceError<E>> {
         Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
     }
+
+    /// The same, as an answer that is kept.
+    fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.client.known(ticket).unwrap_or(Answer::TimedOut)
+    }
 }
 
 /// Passes a packet to the client, and keeps it if it contains more than answers.
@@ -222,7 +258,7 @@ fn sort<const N: usize, const Q: usize>(
 }
 
 /// Received packets, one after another.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Queue<const Q: usize> {
     bytes: [u8; Q],
     start: usize,
@@ -270,6 +306,12 @@ impl<const Q: usize> Queue<Q> {
     }
 }
 
+impl<const Q: usize> fmt::Debug for Queue<Q> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {Q} bytes, {} packets dropped", self.len(), self.dropped)
+    }
+}
+
 /// A device at a port.
 ///
 /// It has memory for `N` commands of one packet, about 300 bytes each, and for `Q` bytes of data
@@ -279,6 +321,10 @@ impl<const Q: usize> Queue<Q> {
 pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
     port: P,
     core: Core<N, Q>,
+    /// Was the last command not answered in time?
+    missed: bool,
+    /// Until when late answers may come.
+    late: Option<u32>,
 }
 
 impl<P: Port> Device<P> {
@@ -293,7 +339,7 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
     /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
-        Self { port, core: Core::new(client) }
+        Self { port, core: Core::new(client), missed: false, late: None }
     }
 
     /// The port.
@@ -350,9 +396,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         &mut self,
         command: &C,
     ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
-        self.core.client.clear();
-        let now_ms = self.port.now_ms();
+        let now_ms = self.begin()?;
         let (ticket, packet) = self.core.client.send(command, now_ms)?;
+        self.missed = true; // until it is answered
         self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         self.wait()?;
         self.core.result(&ticket)
@@ -361,36 +407,71 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends several commands of one descriptor set in one packet, and waits for all answers.
     ///
     /// The closure adds them, and returns any value, usually their tickets. [`Device::answer`]
-    /// returns the outcome of each.
+    /// returns the outcome of each. If it adds none, nothing is sent.
     pub fn send_all<T>(
         &mut self,
         set: u8,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
-        self.core.client.clear();
-        let now_ms = self.port.now_ms();
+        let now_ms = self.begin()?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
-        self.port.write(request.send(now_ms).bytes()).map_err(DeviceError::Port)?;
+        let packet = request.send(now_ms);
+        if !packet.payload().is_empty() {
+            self.missed = true;
+            self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
+        }
         self.wait()?;
         Ok(tickets)
     }
 
     /// The answer to one command of [`Device::send_all`]; it is available until the next command.
-    pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
+    /// The ticket of an earlier one gives [`Answer::TimedOut`].
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.core.answer(ticket)
+    }
+
+    /// The same with the response not decoded, for tickets of any type, also those of
+    /// [`Request::add_any`]. `None` for that of an earlier command, and if the device does not
+    /// answer the command.
+    pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.core.client.known_event(ticket)
+    }
+
+    /// Forgets the commands before. If one was not answered, what has arrived is read first.
+    fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
+        let now_ms = self.port.now_ms();
+        if core::mem::take(&mut self.missed) {
+            self.late = Some(after(now_ms, LATE));
+        }
+        self.core.client.clear();
+        if self.late.map_or(true, |end| has_passed(end, now_ms)) {
+            self.late = None;
+            return Ok(now_ms);
+        }
+        let mut waited = Waited::new();
+        loop {
+            let came = self.read()?;
+            let now = self.port.now_ms();
+            if waited.is_over(now_ms, now, came) {
+                self.core.look_behind();
+                return Ok(now);
+            }
+        }
     }
 
     /// Until no command waits.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        let mut waited = Waited::new();
+        let (mut waited, mut missed) = (Waited::new(), false);
         while let Some(deadline) = self.core.client.deadline() {
             let came = self.read()?;
             let now_ms = self.port.now_ms();
             if waited.is_over(deadline, now_ms, came) {
                 self.core.tick(now_ms);
+                missed = true;
             }
         }
+        self.missed = missed;
         Ok(())
     }
 
@@ -406,6 +487,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// The next packet with data or other fields that do not answer a command; `None` if none
     /// arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it reads
     /// what has already arrived.
+    ///
+    /// If the time ends in the middle of a packet, that packet is kept, unless its data already
+    /// contains a whole packet: then it is taken for noise, and the inner one is returned.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     pub fn next_packet(

@@ -1,5 +1,7 @@
 //! Finds packets in a stream of bytes that arrives piece by piece.
 
+use core::fmt;
+
 use crate::packet::{checksum, Packet, HEADER, HOST, MAX_PACKET, OVERHEAD};
 use crate::protocol::SYNC;
 
@@ -14,16 +16,13 @@ use crate::protocol::SYNC;
 ///
 /// let mut parser = Parser::new();
 /// for chunk in [&b"noise\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6 and more"] {
-///     let mut packets = parser.feed(chunk);
-///     while let Some(packet) = packets.next() {
-///         assert_eq!(packet.set(), 1);
-///     }
+///     parser.feed(chunk).for_each(|packet| assert_eq!(packet.set(), 1));
 /// }
 /// assert_eq!(parser.skipped(), 14);
 /// ```
 ///
 /// If all bytes are in memory, [`packets`](crate::packets) is simpler.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Parser {
     /// A candidate that the end of a chunk has cut, or the packet that was returned last.
     buffer: [u8; MAX_PACKET],
@@ -77,6 +76,12 @@ pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
     bytes.get(count..).unwrap_or_default()
 }
 
+impl fmt::Debug for Parser {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Parser({} pending, {} skipped)", self.pending(), self.skipped())
+    }
+}
+
 impl Default for Parser {
     fn default() -> Self {
         Self::new()
@@ -104,6 +109,9 @@ impl Parser {
     }
 
     /// Takes a chunk, and returns a [`Feed`] that lends its packets one after another.
+    ///
+    /// Feed each chunk once: `while let Some(packet) = parser.feed(chunk).next()` feeds it again for
+    /// each packet, and never ends. [`Feed::for_each`] cannot be mistaken.
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
         Feed { parser: self, rest: chunk }
     }
@@ -301,6 +309,15 @@ const fn short(count: usize) -> u16 {
 /// # use mip_protocol::Parser;
 /// # let mut parser = Parser::new();
 /// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// parser.feed(chunk).for_each(|packet| println!("{packet:?}"));
+/// ```
+///
+/// A loop, to end it early or with `?`, takes the packets from a variable:
+///
+/// ```
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
 /// let mut packets = parser.feed(chunk);
 /// while let Some(packet) = packets.next() {
 ///     println!("{packet:?}");
@@ -331,7 +348,17 @@ pub struct Feed<'p, 'i> {
 }
 
 impl<'i> Feed<'_, 'i> {
+    /// Calls a function with each packet of the chunk.
+    pub fn for_each(mut self, mut call: impl FnMut(Packet<'_>)) {
+        while let Some(packet) = self.next() {
+            call(packet);
+        }
+    }
+
     /// The next packet, or `None` at the end of the chunk.
+    ///
+    /// Of a feed in a variable: `while let Some(packet) = parser.feed(chunk).next()` never ends,
+    /// because it feeds the chunk again for each packet.
     #[allow(clippy::should_implement_trait)] // an iterator cannot lend
     #[inline]
     pub fn next(&mut self) -> Option<Packet<'_>> {

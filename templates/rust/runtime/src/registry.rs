@@ -104,8 +104,8 @@ pub trait Listed:
 /// }
 ///
 /// # let bytes = [0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A];
-/// for field in Packet::new(&bytes).unwrap().fields().flatten() {
-///     visit(&field, Print); // the command is acknowledged
+/// for field in Packet::new(&bytes).unwrap().fields() {
+///     visit(&field.unwrap(), Print); // the command is acknowledged
 /// }
 /// ```
 pub trait Visitor {

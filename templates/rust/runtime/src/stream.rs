@@ -1,5 +1,6 @@
 //! Packets from files, sockets, serial ports and other sources.
 
+use std::fmt;
 use std::io::{self, Read};
 
 use crate::packet::Packet;
@@ -18,13 +19,19 @@ use crate::parser::{judge, Candidate, Parser};
 /// assert_eq!(packets.parser().skipped(), 19);
 /// # Ok::<(), std::io::Error>(())
 /// ```
-#[derive(Debug)]
 pub struct PacketReader<R> {
     source: R,
     parser: Parser,
     chunk: [u8; 4096],
     start: usize,
     end: usize,
+}
+
+impl<R: fmt::Debug> fmt::Debug for PacketReader<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unread = self.end.saturating_sub(self.start);
+        write!(f, "PacketReader({:?}, {:?}, {unread} unread)", self.source, self.parser)
+    }
 }
 
 impl<R> PacketReader<R> {
@@ -59,7 +66,8 @@ impl<R: Read> PacketReader<R> {
     /// the time-out of some ports.
     ///
     /// An incomplete packet is kept in either case, and also after an error; call it again when
-    /// there may be more.
+    /// there may be more. Only if its data already contains a whole packet, and the source has no
+    /// more bytes, is it taken for noise: then the inner packet is returned.
     ///
     /// # Errors
     ///

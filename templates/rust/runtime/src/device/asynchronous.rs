@@ -4,13 +4,13 @@ use core::future::{poll_fn, Future};
 use core::pin::{pin, Pin};
 use core::task::Poll;
 
-use embedded_io_async::{Read, Write};
+use embedded_io_async::{Error, ErrorKind, Read, Write};
 
 use super::{is_over, Answer, Client, Command, CommandError, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
-use crate::client::{Request, Ticket};
+use crate::client::{Event, Request, Ticket};
 use crate::packet::Packet;
-use crate::parser::Parser;
+use crate::parser::{behind, Parser};
 
 /// A device at a port with the traits of `embedded-io-async`; the asynchronous form of
 /// [`Device`](super::Device). It needs no particular executor.
@@ -20,7 +20,15 @@ use crate::parser::Parser;
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
 /// Dropping a future cancels the command in the client, but not in the device; an answer that
-/// arrives later is treated as data. Whether bytes are lost depends on the port.
+/// arrives before the next command is sent is treated as data. Whether bytes are lost depends on
+/// the port.
+///
+/// Errors of the kind [`Interrupted`](ErrorKind::Interrupted) do not end a command, nor does reading
+/// end it with [`TimedOut`](ErrorKind::TimedOut). A port whose `write` returns 0 is
+/// [`Closed`](DeviceError::Closed).
+///
+/// Each command first reads what has already arrived, once if that is nothing. The future of a read
+/// that would have to wait is dropped.
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
     port: P,
@@ -43,9 +51,19 @@ impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
         Self { port, sleep, core: Core::new(client) }
     }
 
+    /// The port.
+    pub const fn port(&self) -> &P {
+        &self.port
+    }
+
     /// The port, for example to set its baud rate.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port
+    }
+
+    /// The port; bytes read but not returned are lost.
+    pub fn into_port(self) -> P {
+        self.port
     }
 
     /// The parser, which counts the bytes that are not part of a packet.
@@ -99,18 +117,20 @@ where
     /// Sends several commands of one descriptor set in one packet, and waits for all answers.
     ///
     /// The closure adds them, and returns any value, usually their tickets. [`AsyncDevice::answer`]
-    /// returns the outcome of each.
+    /// returns the outcome of each. If it adds none, nothing is sent.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
         self.core.client.clear();
+        self.drain().await?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         let packet = request.send(0); // with it, time begins
-        self.port.write_all(packet.bytes()).await.map_err(DeviceError::Port)?;
-        self.port.flush().await.map_err(DeviceError::Port)?;
+        if !packet.payload().is_empty() {
+            write(&mut self.port, packet.bytes()).await?;
+        }
         let mut now_ms = 0;
         while let Some(deadline) = self.core.client.deadline() {
             let (mut backlog, mut sleep) =
@@ -127,9 +147,31 @@ where
     }
 
     /// The answer to one command of [`AsyncDevice::send_all`]; it is available until the next
-    /// command.
-    pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
+    /// command. The ticket of an earlier one gives [`Answer::TimedOut`].
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.core.answer(ticket)
+    }
+
+    /// The same with the response not decoded, for tickets of any type, also those of
+    /// [`Request::add_any`]. `None` for that of an earlier command, and if the device does not
+    /// answer the command.
+    pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.core.client.known_event(ticket)
+    }
+
+    /// Reads what has arrived: it answers an earlier command, if any.
+    async fn drain(&mut self) -> Result<(), DeviceError<P::Error>> {
+        // Like reading after a deadline: the future that would wait is not asked.
+        let (mut backlog, mut sleep) = (BACKLOG - 1, pin!((self.sleep)(0)));
+        loop {
+            match read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await {
+                Ok(true) => {}
+                Ok(false) | Err(DeviceError::Closed) => break, // it may still be written to
+                Err(error) => return Err(error),
+            }
+        }
+        self.core.look_behind();
+        Ok(())
     }
 
     /// The next packet with data or other fields that do not answer a command; `None` if none
@@ -152,6 +194,32 @@ where
         }
         Ok(self.core.data.pop())
     }
+}
+
+/// Writes all bytes. Not `write_all`, which panics if the port accepts none.
+async fn write<P: Write>(port: &mut P, mut bytes: &[u8]) -> Result<(), DeviceError<P::Error>> {
+    while !bytes.is_empty() {
+        match port.write(bytes).await {
+            Ok(0) => return Err(DeviceError::Closed),
+            Ok(count) => bytes = behind(bytes, count),
+            Err(error) if error.kind() == ErrorKind::Interrupted => pause().await,
+            Err(error) => return Err(DeviceError::Port(error)),
+        }
+    }
+    port.flush().await.map_err(DeviceError::Port)
+}
+
+/// Lets other futures run once: otherwise the time may not go on.
+async fn pause() {
+    let mut again = true;
+    poll_fn(|context| {
+        if core::mem::take(&mut again) {
+            context.waker().wake_by_ref();
+            return Poll::Pending;
+        }
+        Poll::Ready(())
+    })
+    .await;
 }
 
 /// Reads once; false if the time ran out and no more is to be read.
@@ -177,7 +245,8 @@ async fn read<P: Read, const N: usize, const Q: usize>(
         })
         .await
     };
-    let over = is_over(late, count.is_some(), backlog);
+    let nothing = matches!(&count, Some(Err(error)) if is_nothing(error));
+    let over = is_over(late, count.is_some() && !nothing, backlog);
     match count {
         None => Ok(false),
         Some(Ok(0)) if core.look_behind() => Ok(!over),
@@ -186,6 +255,15 @@ async fn read<P: Read, const N: usize, const Q: usize>(
             core.arrived(part.get(..count).unwrap_or_default());
             Ok(!over)
         }
+        Some(Err(_)) if nothing => {
+            pause().await;
+            Ok(!over)
+        }
         Some(Err(error)) => Err(DeviceError::Port(error)),
     }
+}
+
+/// Does this error of reading only mean that there is no data yet?
+fn is_nothing(error: &impl Error) -> bool {
+    matches!(error.kind(), ErrorKind::Interrupted | ErrorKind::TimedOut)
 }

@@ -15,12 +15,20 @@ macro_rules! spec_name {
 /// Errors for `dyn Error`, with `std` or where the compiler has it without.
 macro_rules! error {
     ($($name:ident)+) => {$(
-        #[cfg(feature = "core-error")]
-        #[allow(clippy::incompatible_msrv)] // the feature requires a newer compiler
-        impl core::error::Error for $name {}
-        #[cfg(all(feature = "std", not(feature = "core-error")))]
-        impl std::error::Error for $name {}
+        #[cfg(any(feature = "core-error", feature = "std"))]
+        impl $crate::error::Error for $name {}
     )+};
+    ($name:ident: $($caused:ident)+) => {
+        #[cfg(any(feature = "core-error", feature = "std"))]
+        impl $crate::error::Error for $name {
+            fn source(&self) -> Option<&(dyn $crate::error::Error + 'static)> {
+                match self {
+                    $(Self::$caused(error) => Some(error),)+
+                    _ => None,
+                }
+            }
+        }
+    };
 }
 
 #[macro_use]

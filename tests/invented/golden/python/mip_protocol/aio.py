@@ -35,6 +35,9 @@ from .port import (
 )
 
 T = TypeVar("T")
+#: How often the event loop is let run before a command is sent: with that, what has arrived is
+#: processed even if the program has kept the loop busy. Streams take about five of these turns.
+TURNS = 10
 #: Seconds until what was written is given up when a connection is closed.
 CLOSE_TIMEOUT = 1.0
 
@@ -232,6 +235,8 @@ class Device:
         self, commands: Sequence[Command], timeout: float | None, wait: bool = True
     ) -> list[Ticket]:
         async with self._writing:  # so that answers come in the order of the commands
+            for _ in range(TURNS):  # a late answer is not that of this command
+                await asyncio.sleep(0)
             self._must_be_open()
             packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:

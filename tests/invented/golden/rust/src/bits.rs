@@ -106,6 +106,34 @@ macro_rules! merge {
     };
 }
 
+/// The formats of a storage as a number; bytes only in hexadecimal.
+macro_rules! formats {
+    ($name:ident [u8; $size:literal]) => {
+        impl ::core::fmt::LowerHex for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::bits::hexadecimal(&self.0, false, f)
+            }
+        }
+
+        impl ::core::fmt::UpperHex for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::bits::hexadecimal(&self.0, true, f)
+            }
+        }
+    };
+    ($name:ident $number:ident) => {
+        $crate::bits::formats!($name $number LowerHex UpperHex Octal Binary);
+    };
+    ($name:ident $number:ident $($format:ident)+) => {$(
+        impl ::core::fmt::$format for $name {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                ::core::fmt::$format::fmt(&self.0, f)
+            }
+        }
+    )+};
+}
+
 macro_rules! none {
     ([u8; $size:literal]) => {
         [0; $size]
@@ -143,7 +171,7 @@ macro_rules! last {
     };
 }
 
-pub(crate) use {is_none, last, mask, merge, none};
+pub(crate) use {formats, is_none, last, mask, merge, none};
 
 macro_rules! numbers {
     ($($number:ident)*) => {$(
@@ -312,29 +340,56 @@ impl<B: BitSet> Iterator for Iter<B> {
     }
 }
 
-/// Writes the names of the bits that are set, the numbers that are not 0, and the unknown bits.
+/// Writes the names of the bits that are set, the numbers that are not 0, and the bits that remain.
+///
+/// A name whose bits another has told is left out.
 pub(crate) fn debug<S: Storage + Hexadecimal>(
     name: &str,
     storage: S,
     bits: &[Bits],
-    unknown: S,
     f: &mut fmt::Formatter<'_>,
 ) -> fmt::Result {
     write!(f, "{name}(")?;
-    let mut separator = "";
+    let (mut left, mut separator) = (storage, "");
     for Bits { name, first, last } in bits {
-        match storage.get(*first, *last) {
-            0 => continue,
-            _ if first == last => write!(f, "{separator}{name}")?,
-            number => write!(f, "{separator}{name}={number}")?,
+        let number = storage.get(*first, *last);
+        if number == 0 || left.get(*first, *last) != number {
+            continue;
+        }
+        left.set(*first, *last, 0);
+        match first == last {
+            true => write!(f, "{separator}{name}")?,
+            false => write!(f, "{separator}{name}={number}")?,
         }
         separator = " | ";
     }
-    unknown.write(separator, f)?;
+    left.write(separator, f)?;
     f.write_str(")")
 }
 
-/// Unknown bits, as a hexadecimal number.
+/// Writes bytes as one hexadecimal number.
+pub(crate) fn hexadecimal<const N: usize>(
+    bytes: &[u8; N],
+    upper: bool,
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    let mut text = [b'0'; 128]; // no bitfield has more than 64 bytes
+    let digits = bytes.iter().rev().flat_map(|byte| [byte >> 4, byte & 15]);
+    let digits = digits.skip_while(|digit| *digit == 0);
+    let mut count = 0_usize;
+    for (place, digit) in text.iter_mut().zip(digits) {
+        let letter = if upper { b'A' } else { b'a' };
+        *place = match digit {
+            0..=9 => b'0'.wrapping_add(digit),
+            _ => letter.wrapping_add(digit).wrapping_sub(10),
+        };
+        count = count.wrapping_add(1);
+    }
+    let text = text.as_slice().get(..count.max(1)).and_then(|text| core::str::from_utf8(text).ok());
+    f.pad_integral(true, "0x", text.unwrap_or_default())
+}
+
+/// Bits that remain, as a hexadecimal number.
 pub(crate) trait Hexadecimal {
     /// Writes the number if it is not 0.
     fn write(&self, separator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result;

@@ -259,6 +259,16 @@ impl<'a> Writer<'a> {
         self.length
     }
 
+    /// Checks that this number of bytes fits.
+    #[inline]
+    pub fn require(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
+        let end = self.length.saturating_add(count);
+        if end <= self.buffer.len() {
+            return Ok(());
+        }
+        Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()))
+    }
+
     /// Appends bytes.
     #[inline]
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {

@@ -9,7 +9,7 @@ pub use known::*;
 /// A device profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Device {
+pub struct Profile {
     /// The name in the specification.
     pub id: &'static str,
     /// Its title.
@@ -31,7 +31,7 @@ pub struct Device {
     /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
     /// Its ports.
-    pub ports: &'static [Port],
+    pub ports: &'static [ProfilePort],
     /// Its limits.
     pub limits: &'static [Limit],
     /// Parameters with another meaning than on other devices.
@@ -69,7 +69,7 @@ pub struct BaseRate {
 /// A port of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Port {
+pub struct ProfilePort {
     /// Its title.
     pub name: &'static str,
     /// The number that commands use, if there is one.
@@ -106,7 +106,7 @@ pub struct Variant {
     pub difference: &'static str,
 }
 
-impl Device {
+impl Profile {
     /// The device with this id.
     #[must_use]
     pub fn by_id(id: &str) -> Option<&'static Self> {

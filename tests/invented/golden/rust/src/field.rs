@@ -2,6 +2,7 @@
 
 use crate::codec::{Reader, Wire, Writer};
 use crate::error::{DecodeError, EncodeError};
+use core::fmt;
 use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
@@ -162,6 +163,12 @@ impl Role {
     }
 }
 
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 /// One field of a packet, not yet decoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -191,7 +198,7 @@ impl RawField<'_> {
             && (T::CONSTANTS.is_empty() || self.has_constants(T::CONSTANTS))
     }
 
-    fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
+    pub(crate) fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
         constants.iter().all(|(offset, bytes)| {
             self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
         })

@@ -73,6 +73,10 @@ struct mip_device {
     uint32_t silence;
     /** When the last bytes arrived. */
     uint32_t heard;
+    /** When a command has timed out. */
+    uint32_t missed;
+    /** May its answer still come? */
+    bool owed;
     /** Is a handler running? */
     bool busy;
     /** Its `timeout` is how long the device may take to answer. */
@@ -92,7 +96,7 @@ enum mip_outcome {
     MIP_SENT,
     /** The device has refused it: `code` says why. */
     MIP_REFUSED,
-    /** No answer came in time. */
+    /** No answer came in time. If it comes later, it is handled as data. */
     MIP_TIMED_OUT,
     /** The device has acknowledged it without sending its response. */
     MIP_MISSING_RESPONSE,
@@ -145,6 +149,11 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * each command. `value` is the structure of the command, or NULL if it has no parameters. The
  * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
  * zeroed first, and stays zeroed unless the command succeeds and requests this response.
+ *
+ * For ten seconds after a command has timed out, what has already arrived is read and handled
+ * before the next one is sent, which takes as long as one read without data: a late answer is not
+ * taken for that of another command of the same type. An answer that comes only after that command
+ * is sent cannot be told from its answer; if the device may be so slow, give it a longer `timeout`.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,

@@ -1,12 +1,17 @@
 //! Ports of `embedded-io`.
 
-use embedded_io::{Read, ReadReady, Write};
+use core::fmt;
+
+use embedded_io::{Error, ErrorKind, Read, ReadReady, Write};
 
 use super::Port;
+use crate::parser::behind;
 
 /// A port over a driver with the traits of `embedded-io`, and a clock.
 ///
-/// [`ReadReady`] is needed because [`Read`] waits until bytes arrive, possibly forever.
+/// [`ReadReady`] is needed because [`Read`] waits until bytes arrive, possibly forever. Errors of the
+/// kind [`Interrupted`](ErrorKind::Interrupted), and of reading also
+/// [`TimedOut`](ErrorKind::TimedOut), only mean that there is no data yet; it is tried again.
 #[derive(Clone, Debug)]
 pub struct EmbeddedPort<T, F> {
     io: T,
@@ -31,20 +36,54 @@ impl<T, F> EmbeddedPort<T, F> {
     }
 }
 
-impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F> {
-    type Error = T::Error;
+/// The error of an [`EmbeddedPort`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum EmbeddedError<E> {
+    /// That of the driver.
+    Driver(E),
+    /// The driver accepts no bytes: its `write` returned 0.
+    WriteZero,
+}
 
-    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, T::Error> {
-        if self.io.read_ready()? {
-            self.io.read(buffer)
-        } else {
-            Ok(0)
+impl<E: fmt::Display> fmt::Display for EmbeddedError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Driver(error) => error.fmt(f),
+            Self::WriteZero => f.write_str("the driver accepts no bytes"),
         }
     }
+}
 
-    fn write(&mut self, bytes: &[u8]) -> Result<(), T::Error> {
-        self.io.write_all(bytes)?;
-        self.io.flush()
+impl<E: fmt::Debug + fmt::Display> core::error::Error for EmbeddedError<E> {}
+
+impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F> {
+    type Error = EmbeddedError<T::Error>;
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error> {
+        let count = match self.io.read_ready() {
+            Ok(true) => self.io.read(buffer),
+            Ok(false) => Ok(0),
+            Err(error) => Err(error),
+        };
+        count.or_else(|error| match error.kind() {
+            ErrorKind::Interrupted | ErrorKind::TimedOut => Ok(0),
+            _ => Err(EmbeddedError::Driver(error)),
+        })
+    }
+
+    // Not `write_all`, which panics if the driver accepts no bytes.
+    fn write(&mut self, mut bytes: &[u8]) -> Result<(), Self::Error> {
+        while !bytes.is_empty() {
+            match self.io.write(bytes) {
+                Ok(0) => return Err(EmbeddedError::WriteZero),
+                Ok(count) => bytes = behind(bytes, count),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(EmbeddedError::Driver(error)),
+            }
+        }
+        self.io.flush().map_err(EmbeddedError::Driver)
     }
 
     fn now_ms(&mut self) -> u32 {

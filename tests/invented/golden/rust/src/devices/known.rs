@@ -1,12 +1,12 @@
 //! The devices.
 
 #[allow(unused_imports)] // a part of the specification needs fewer
-use super::{BaseRate, Device, Limit, Port, Variant};
+use super::{BaseRate, Limit, Profile, ProfilePort, Variant};
 use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[
+pub static ALL: &[&Profile] = &[
     &MODEL_A,
     &MODEL_B,
     &MODEL_C,
@@ -29,7 +29,7 @@ pub static ALL: &[&Device] = &[
 /// | 1 | pulse |
 /// | 2 | serial |
 #[rustfmt::skip]
-pub static MODEL_A: Device = Device {
+pub static MODEL_A: Profile = Profile {
     id: "model-a",
     title: "Model A",
     description: "Supports nearly everything.",
@@ -71,13 +71,13 @@ pub static MODEL_A: Device = Device {
         BaseRate { set: 0x81, hertz: 500.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x11),
             baud_rates: &[9600, 115200],
             protocols: &["MIP", "NMEA"],
         },
-        Port {
+        ProfilePort {
             name: "USB",
             id: None,
             baud_rates: &[],
@@ -123,7 +123,7 @@ pub static MODEL_A: Device = Device {
 ///
 /// Manual: A leaflet about one of them, 2.
 #[rustfmt::skip]
-pub static MODEL_B: Device = Device {
+pub static MODEL_B: Profile = Profile {
     id: "model-b",
     title: "Model B",
     description: "Small, and reads the acknowledge code in its own way.",
@@ -184,7 +184,7 @@ pub static MODEL_B: Device = Device {
 ///
 /// Source: sheet: Radio.
 #[rustfmt::skip]
-pub static MODEL_C: Device = Device {
+pub static MODEL_C: Profile = Profile {
     id: "model-c",
     title: "Model C",
     description: "Like the model A, with a radio and without a choice.",
@@ -226,13 +226,13 @@ pub static MODEL_C: Device = Device {
         BaseRate { set: 0x81, hertz: 250.0 },
     ],
     ports: &[
-        Port {
+        ProfilePort {
             name: "Main",
             id: Some(0x12),
             baud_rates: &[9600],
             protocols: &["MIP"],
         },
-        Port {
+        ProfilePort {
             name: "CAN",
             id: None,
             baud_rates: &[],
@@ -300,7 +300,7 @@ pub static MODEL_C: Device = Device {
 ///
 /// Source: sheet: Names.
 #[rustfmt::skip]
-pub static OLD_1: Device = Device {
+pub static OLD_1: Profile = Profile {
     id: "old-1",
     title: "Old 1",
     description: "Known by its name and number.",
@@ -336,7 +336,7 @@ pub static OLD_1: Device = Device {
 ///
 /// Source: sheet: Names.
 #[rustfmt::skip]
-pub static OLD_2: Device = Device {
+pub static OLD_2: Profile = Profile {
     id: "old-2",
     title: "Old 2",
     description: "Known by its name and number.",

@@ -73,10 +73,11 @@ macro_rules! bitfield {
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                let unknown = self.difference(Self::ALL_BITS);
-                $crate::bits::debug(stringify!($name), self.0, Self::BITS, unknown.0, f)
+                $crate::bits::debug(stringify!($name), self.0, Self::BITS, f)
             }
         }
+
+        $crate::bits::formats!($name $storage);
     };
 }
 
