@@ -26,6 +26,7 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
             yield "test-cross", "other machines"
 
 
+@pytest.hookimpl(tryfirst=True)  # xdist reads the groups in this hook, too
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all; it takes longest,
     so it begins first. What needs random values of all fields of a specification is where they have been drawn."""

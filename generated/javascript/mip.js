@@ -41,6 +41,14 @@ function fromHex(text) {
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
+/** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
+function bytesOf(value) {
+    const kind = Object.prototype.toString.call(value);
+    if (kind === "[object ArrayBuffer]") return new Uint8Array(value);
+    if (kind !== "[object Uint8Array]") throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
+    return value;
+}
+
 function concatenated(...parts) {
     const whole = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
     let at = 0;
@@ -150,7 +158,7 @@ function writeText(text, what) {
     });
 }
 
-return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+return { MipError, checksum, toHex, fromHex, bytesOf, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
@@ -413,10 +421,10 @@ function selectedBy(op, values) {
 
 // ---------------------------------------------------------------------------------------------------- encoding
 
-/** The data of a field with these values, in the shortest form that holds them. */
+/** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
 function encodeData(protocol, field, values) {
     const writer = new Writer(protocol);
-    refuseOther({ member: field.name }, values, isObject(values), "an object");
+    refuseOther(field.name, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
     let required = protocol.required(field);
     let ended; // the first parameter that was left out: all behind it must be, too
@@ -426,13 +434,13 @@ function encodeData(protocol, field, values) {
             continue;
         }
         if (op.first === 1 && field.calls) required = protocol.required(field, values.function);
-        const members = op.body.filter((inner) => inner.kind !== "constant").map((inner) => inner.member);
-        const absent = members.find((name) => !Object.hasOwn(values, name));
+        const members = op.body.filter((inner) => inner.kind !== "constant");
+        const absent = members.find((inner) => !isGiven(inner, values))?.member;
         if (absent !== undefined && op.last <= required) throw missing(absent);
         ended ??= absent;
         if (ended === undefined) {
             for (const inner of op.body) writer.write(inner, values);
-        } else if (members.some((name) => Object.hasOwn(values, name))) {
+        } else if (members.some((inner) => isGiven(inner, values))) {
             throw missing(ended);
         }
     }
@@ -449,59 +457,65 @@ class Writer {
         this.parts = [];
     }
 
-    write(op, values) {
+    /** `within` names the value that contains it, "segments[2]": errors say where they are. */
+    write(op, values, within = "") {
+        const where = within ? `${within}.${op.member}` : op.member;
         if (op.kind === "constant") {
-            this.number(op, op.value);
-        } else if (!Object.hasOwn(values, op.member)) {
-            throw missing(op.member);
+            this.number(op, op.value, where);
+        } else if (Object.hasOwn(values, op.member)) {
+            this.put(op, values[op.member], values, where);
+        } else if (isGiven(op, values)) {
+            const counted = values[op.array];
+            refuseOther(op.array, counted, Array.isArray(counted) || typeof counted === "string", "an array");
+            this.number(op, counted.length, where);
         } else {
-            this.put(op, values[op.member], values);
+            throw missing(where);
         }
     }
 
-    put(op, value, values) {
+    put(op, value, values, where) {
         switch (op.kind) {
             case "scalar":
-                this.number(op, value);
+                this.number(op, value, where);
                 break;
             case "counter":
                 if (values[op.array]?.length !== Number(value)) {
-                    throw new MipError("count", `${op.member} is ${value}, but ${op.array} has another number of elements`);
+                    throw new MipError("count", `${where} is ${value}, but ${op.array} has another number of elements`);
                 }
-                this.number(op, value);
+                this.number(op, value, where);
                 break;
             case "bits":
-                refuseOther(op, value, Array.isArray(value), "an array");
-                if (value.length !== op.size) throw new MipError("count", `${op.member} needs ${op.size} bytes`);
-                for (const byte of value) this.parts.push(writeInteger(byte, 1, false, op.member));
+                refuseOther(where, value, Array.isArray(value), "an array");
+                if (value.length !== op.size) throw new MipError("count", `${where} needs ${op.size} bytes`);
+                for (const [i, byte] of value.entries()) this.parts.push(writeInteger(byte, 1, false, `${where}[${i}]`));
                 break;
             case "text":
-                refuseOther(op, value, typeof value === "string", "a text");
-                checkCount(op, value);
-                this.parts.push(writeText(value, op.member));
+                refuseOther(where, value, typeof value === "string", "a text");
+                checkCount(op, value, where);
+                this.parts.push(writeText(value, where));
                 break;
             case "array":
-                refuseOther(op, value, Array.isArray(value), "an array");
-                checkCount(op, value);
-                for (const item of value) this.put(op.item, item, {});
+                refuseOther(where, value, Array.isArray(value), "an array");
+                checkCount(op, value, where);
+                for (const [i, item] of value.entries()) this.put(op.item, item, {}, `${where}[${i}]`);
                 break;
             case "struct": {
                 const struct = this.protocol.type(op.struct);
-                refuseOther(op, value, isObject(value), "an object");
-                refuseUnknown(value, struct.parameters, struct.name);
-                for (const part of struct.operations) this.write(part, value);
+                refuseOther(where, value, isObject(value), "an object");
+                refuseUnknown(value, struct.parameters, where);
+                for (const part of struct.operations) this.write(part, value, where);
                 break;
             }
             case "switch": {
                 const selected = selectedBy(op, values);
                 const wanted = selected ? [selected.member] : [];
-                refuseOther(op, value, isObject(value), "an object");
+                refuseOther(where, value, isObject(value), "an object");
                 const there = Object.keys(value);
                 if (there.length !== wanted.length || there[0] !== wanted[0]) {
                     const right = wanted[0] ?? "nothing";
-                    throw new MipError("tag", `${op.tag} is ${values[op.tag]}, so ${op.member} must hold ${right}`);
+                    throw new MipError("tag", `${op.tag} is ${values[op.tag]}, so ${where} must hold ${right}`);
                 }
-                if (selected) this.write(selected, value);
+                if (selected) this.write(selected, value, where);
                 break;
             }
             default:
@@ -509,18 +523,23 @@ class Writer {
         }
     }
 
-    number(op, value) {
+    number(op, value, where) {
         const { size, kind } = this.protocol.scalar(op.scalar);
         if (kind === "bool" && typeof value === "boolean") value = Number(value);
         const write = kind === "float" ? writeFloat : (number, width, what) => writeInteger(number, width, kind === "signed", what);
-        this.parts.push(write(value, size, op.member));
+        this.parts.push(write(value, size, where));
     }
+}
+
+/** Is there a value? A counter that is left out counts its array. */
+function isGiven(op, values) {
+    return Object.hasOwn(values, op.member) || (op.kind === "counter" && Object.hasOwn(values, op.array));
 }
 
 const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 
-function refuseOther(op, value, right, wanted) {
-    if (!right) throw new MipError("range", `${op.member}: ${described(value)} is not ${wanted}`);
+function refuseOther(where, value, right, wanted) {
+    if (!right) throw new MipError("range", `${where}: ${described(value)} is not ${wanted}`);
 }
 
 function missing(name) {
@@ -534,10 +553,10 @@ function refuseUnknown(values, parameters, where) {
     }
 }
 
-function checkCount(op, value) {
+function checkCount(op, value, where) {
     if (value.length !== (op.count ?? value.length) || value.length > op.capacity) {
         const right = op.count ?? `at most ${op.capacity}`;
-        throw new MipError("count", `${op.member} has ${value.length} elements, not ${right}`);
+        throw new MipError("count", `${where} has ${value.length} elements, not ${right}`);
     }
 }
 
@@ -549,7 +568,7 @@ return { decodeData, encodeData };
 modules["mip/packet"] = (() => {
 // Packets: their frame, their fields, and building them.
 
-const { MipError, checksum, concatenated, described, fromHex, sameBytes, toHex } = modules["mip/bytes"];
+const { MipError, bytesOf, checksum, concatenated, described, fromHex, sameBytes, toHex } = modules["mip/bytes"];
 const { decodeData, encodeData } = modules["mip/codec"];
 const { SHARED_SET } = modules["mip/protocol"];
 
@@ -564,7 +583,8 @@ class Packet {
     }
 
     /** A whole packet; anything else raises a MipError: "sync", "length" or "checksum". */
-    static from(protocol, bytes) {
+    static from(protocol, given) {
+        const bytes = bytesOf(given);
         if (!sameBytes(bytes.subarray(0, 2), protocol.sync)) {
             throw new MipError("sync", `it does not begin with ${toHex(protocol.sync, " ")}`);
         }
@@ -642,7 +662,7 @@ function decodeField(protocol, set, { descriptor, data }, options) {
 
 /**
  * A packet of a set with these fields: each has a `descriptor`, and either `raw` (bytes or hexadecimal digits) or `name`
- * and `values`. Raises a MipError if something does not fit.
+ * and `values`; a counter that is left out counts its array. Raises a MipError if something does not fit.
  */
 function buildPacket(protocol, set, fields) {
     if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
@@ -651,7 +671,7 @@ function buildPacket(protocol, set, fields) {
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
         }
-        const data = entry.raw === undefined ? dataOf(protocol, set, entry) : bytesOf(entry.raw);
+        const data = entry.raw === undefined ? dataOf(protocol, set, entry) : rawOf(entry.raw);
         if (data.length > protocol.maxFieldData) {
             throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);
         }
@@ -671,8 +691,8 @@ function dataOf(protocol, set, { descriptor, name, values }) {
     return encodeData(protocol, field, values);
 }
 
-function bytesOf(raw) {
-    return typeof raw === "string" ? fromHex(raw) : raw;
+function rawOf(raw) {
+    return typeof raw === "string" ? fromHex(raw) : bytesOf(raw);
 }
 
 return { Packet, buildPacket };
@@ -683,7 +703,7 @@ return { Packet, buildPacket };
 modules["mip/parser"] = (() => {
 // Finds packets in a stream, among anything else.
 
-const { concatenated } = modules["mip/bytes"];
+const { bytesOf, concatenated } = modules["mip/bytes"];
 const { Packet } = modules["mip/packet"];
 
 /**
@@ -698,9 +718,9 @@ class Parser {
         this.skipped = 0;
     }
 
-    /** The packets that are complete with these bytes. */
+    /** The packets that are complete with these bytes, a Uint8Array or an ArrayBuffer. */
     feed(bytes) {
-        this.pending = concatenated(this.pending, bytes);
+        this.pending = concatenated(this.pending, bytesOf(bytes));
         return this.search(false);
     }
 

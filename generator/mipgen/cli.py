@@ -57,6 +57,9 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:  # the reader has stopped, as `head` does
         sys.stderr.close()
         return 1
+    except OSError as error:
+        print(f"{error.filename or 'mipgen'}: error: {error.strerror or error}", file=sys.stderr)
+        return 1
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shlex
 import sys
 from argparse import Namespace
 from collections.abc import Iterator
@@ -45,12 +47,14 @@ def generate(options: Namespace) -> int:
         print(known["summary"])
         rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
     else:
-        from . import build, render
+        from . import build
 
+        _apart(options, sources)
         model, summary = _load(options)
         outputs = build.make(model, sources)
+        changes = _write(options, outputs)
         print(summary)
-        rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
+        rows = [(o.name, o.title, len(o.files), changed) for o, changed in zip(outputs, changes, strict=True)]
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
@@ -71,11 +75,21 @@ def check(options: Namespace) -> int:
     for output in outputs:
         for difference in render.compare(output.files, options.out / output.name):
             place = options.out / output.name / difference.path
-            print(f"{place}: error: {difference.what}; run 'mipgen generate'", file=sys.stderr)
+            print(f"{place}: error: {difference.what}", file=sys.stderr)
             found += 1
     if not found:
         print(f"{options.out} is up to date")
-    return 1 if found else 0
+        return 0
+    print(f"mipgen: {_count(found, 'file')} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
+    return 1
+
+
+def _given(options: Namespace) -> str:
+    """The options of a run, for a command that does the same."""
+    given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
+    given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
+    given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values)
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
@@ -87,6 +101,46 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     part = repr([getattr(options, name, ()) for name in PARTS])
     names = (source.name for source in sources)
     return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
+
+
+def _apart(options: Namespace, sources: list[Source]) -> None:
+    """Raises Failure if output would lie in a folder that is read, or such a folder in the output."""
+    made = {options.out / source.name: _real(options.out / source.name) for source in sources}
+    read = [("--spec", path) for path in _specs(options)] + [("--target-path", path) for path in options.target_path]
+    for option, path in read:
+        for folder in (path, *sorted(p for p in path.glob("*") if p.is_dir())):  # any of them may be a link
+            real = _real(folder)
+            for place, target in made.items():
+                if target.is_relative_to(real):
+                    raise Failure(f"{place} lies in {folder}, which {option} names; choose another --out")
+                if real.is_relative_to(target):
+                    raise Failure(f"{folder}, which {option} names, lies in {place}; choose another --out")
+
+
+def _real(path: Path) -> Path:
+    return Path(os.path.realpath(path))  # unlike Path.resolve, it does not raise where links are a circle
+
+
+def _write(options: Namespace, outputs: list[Output]) -> list[int]:
+    """Writes all files; the number of changed ones for each target. Files of a user are kept."""
+    from . import render
+
+    try:
+        foreign = [options.out / o.name / p for o in outputs for p in render.foreign(o.files, options.out / o.name)]
+        if not foreign:
+            return [len(render.write(o.files, options.out / o.name)) for o in outputs]
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
+    listed = "".join(f"\n  {path}" for path in foreign)
+    raise Failure(
+        "mipgen did not write these files, which its own would replace; "
+        f"move or delete them, or choose another --out:{listed}",
+        str(options.out),
+    )
+
+
+def _reason(error: OSError) -> str:
+    return f"{error.strerror} ({error.filename})" if error.filename else str(error.strerror or error)
 
 
 def _specs(options: Namespace) -> list[Path]:
@@ -115,13 +169,20 @@ def _load(options: Namespace) -> tuple[Model, str]:
 
 
 def _summary(model: Model) -> str:
-    from .model import RESPONSE
+    from .model import COMMAND, RESPONSE
 
     responses = sum(f.role == RESPONSE for f in model.fields)
+    commands = sum(f.role == COMMAND for f in model.fields)
+    data = len(model.fields) - responses - commands
     return (
-        f"{len(model.sets)} sets: {len(model.fields) - responses} commands and data fields, {responses} responses; "
-        f"{len(model.devices)} devices, {len(model.examples)} examples, {len(model.errata)} errata"
+        f"{_count(len(model.sets), 'set')}: {_count(commands, 'command')}, {_count(data, 'data field')}, "
+        f"{_count(responses, 'response')}; {_count(len(model.devices), 'device')}, "
+        f"{_count(len(model.examples), 'example')}, {_count(len(model.errata), 'erratum', 'errata')}"
     )
+
+
+def _count(number: int, one: str, several: str = "") -> str:
+    return f"{number} {one if number == 1 else several or one + 's'}"
 
 
 def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
@@ -215,12 +276,15 @@ def audit(options: Namespace) -> int:
 def new(options: Namespace) -> int:
     """Writes a specification that validates; into an empty or new folder."""
     folder: Path = options.folder
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise Failure("this folder is not empty; name a new or empty folder", str(folder))
     schemas = resources.root() / "spec/schema"
-    for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_bytes(file.read_bytes())
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise Failure("this folder is not empty; name a new or empty folder", str(folder))
+        for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_bytes(file.read_bytes())
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
     named = "" if folder == Path("spec") else f" --spec {folder}"
     print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
     return 0

@@ -137,6 +137,8 @@ def _field(old: m.Field, new: m.Field) -> Iterator[Change]:
         yield Change("source" if lost else "compatible", name, f"is answered by {', '.join(new.responses) or 'none'}")
     if (old.silent_when, old.when) != (new.silent_when, new.when):
         yield Change("wire", name, "answers under other conditions")
+    if old.devices != new.devices:
+        yield Change("compatible", name, "a layout of other devices")
     if old.deprecated != new.deprecated:
         yield Change("compatible", name, "deprecated" if new.deprecated else "no longer deprecated")
     if _texts(old) != _texts(new):

@@ -29,7 +29,19 @@ def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Type
     found = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
     model = _with_variants(model, found)
     made = tuple(_Device(node, model, types, problems).resolve() for node in whole)
-    return replace(model, devices=made)
+    model = replace(model, devices=made)
+    _check_layouts(model, problems)
+    return model
+
+
+def _check_layouts(model: m.Model, problems: Problems) -> None:
+    """A device that sends a layout of a response supports a command that is answered with it."""
+    for f in (f for f in model.fields if f.devices):
+        able = {d.id for c in model.commands(f) for d, s in model.supports(c) if s.responds}
+        for name in f.devices:
+            if name not in able and model.device(name) is not None:
+                remedy = f"add '{f.set_name}.{f.command}' to what it supports, or remove it from devices"
+                problems.add(f.position, f"the device '{name}' does not send '{f.full_name}': {remedy}")
 
 
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:

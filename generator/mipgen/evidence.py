@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+import re
+import struct
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from . import codec, meaning
+from . import codec, meaning, typical
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
@@ -235,8 +238,27 @@ class _Example:
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
         for name, value in stated.items():
             if values.get(name) != value:
-                message = f"{field.full_name}.{name} is {values.get(name)!r} in the bytes, but {value!r} is stated"
+                message = (
+                    f"{field.full_name}.{name} is {said(values.get(name))} in the bytes, but {said(value)} is stated"
+                )
                 raise Wrong(node.value_at([field.full_name, name]), message)
+
+
+def said(value: object) -> str:
+    """A value for a person: floats, which are the text of their bits, also as numbers.
+
+    >>> said("0x41accccd"), said("0x7fc00000"), said([1, {"x": "0x41ac0000"}]), said("text")
+    ("21.6 ('0x41accccd')", "'0x7fc00000'", "[1, {'x': 21.5 ('0x41ac0000')}]", "'text'")
+    """
+    if isinstance(value, list):
+        return f"[{', '.join(map(said, value))}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{name!r}: {said(inner)}' for name, inner in value.items())}}}"
+    if isinstance(value, str) and re.fullmatch("0x([0-9a-f]{8}|[0-9a-f]{16})", value):
+        raw = bytes.fromhex(value[2:])
+        if math.isfinite(struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0]):
+            return f"{typical.decimal(value)} ({value!r})"
+    return repr(value)
 
 
 def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:

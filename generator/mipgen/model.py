@@ -478,6 +478,7 @@ class Field:
     functions: tuple[Function, ...] = ()  # by value; none where there is no selector
     command: str | None = None  # of a response: the (first) command that owns it
     when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
+    devices: tuple[str, ...] = ()  # of a response: the devices that send this one of several layouts; see `answers`
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
     sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
@@ -885,6 +886,14 @@ class Model:
         layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
         return tuple(Reply(found, functions, when) for when, found in layouts.items())
 
+    def answers(self, command: Field, device: str) -> tuple[Field, ...]:
+        """The same for one device: of the layouts of a response its own, else those that name no devices."""
+        found: list[Field] = []
+        for reply in self.replies(command):
+            own = [f for f in reply.layouts if device in f.devices]
+            found += own or [f for f in reply.layouts if not f.devices] or reply.layouts
+        return tuple(found)
+
     def commands(self, response: Field) -> tuple[Field, ...]:
         """The commands that a response answers."""
         return self._commands.get(response.full_name, ())
@@ -902,9 +911,10 @@ class Model:
         return self._supports.get(f.full_name, ())
 
     def devices_of(self, f: Field, certain: bool = True) -> tuple[Device, ...]:
-        """The devices that support a field, or may support it; a response if one of its commands requests it."""
+        """The devices that support a field, or may support it; a response if they answer a command with it."""
         if f.role == RESPONSE:
-            found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+            asked = [(c, d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+            found = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
         else:
             found = list(self.supports(f))
         known = {d.id for d, s in found if s.evidence is None}

@@ -124,6 +124,13 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     return found
 
 
+def foreign(made: Mapping[str, bytes], folder: Path) -> list[str]:
+    """The files of a user that would be replaced: they differ, and no earlier run wrote them."""
+    ours = _manifest(folder) | {MANIFEST}
+    others = (p for p in sorted(made.keys() - ours) if (folder / p).is_file())
+    return [p for p in others if (folder / p).read_bytes() != made[p]]
+
+
 def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     """Makes the folder hold these files. Files that a user added are kept."""
     done = []

@@ -138,12 +138,20 @@ class Sets:
                 else replace(s, length=None)
                 for s in command.sources
             ),
-            command=command.name,
+            command=command.name, devices=self.devices(node.get("devices")),
             when=self.conditions(node.get("when"), command),
             also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, name, self.problems) or usual, position=node.position,
         )  # fmt: skip
+
+    def devices(self, node: Node | None) -> tuple[str, ...]:
+        """The devices that send a layout."""
+        known = self.types.vocabulary.devices
+        for entry in node or ():
+            if entry.value not in known:
+                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, known)}")
+        return tuple(node.plain()) if node else ()
 
     # ----------------------------------------------------------------------- conditions
 

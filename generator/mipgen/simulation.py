@@ -26,10 +26,17 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
     values = _Values(model, {q.name: q for q in quantities}, factors, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
     sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
-    behaviors = (commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems))
-    return Simulation(
-        quantities, effects, tuple(s for s in sources if s is not None), tuple(b for b in behaviors if b is not None)
-    )
+    found = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
+    behaviors = [b for b in found if b is not None]
+    known = {b.command.full_name for b in behaviors}
+    others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in known)
+    behaviors += (b for b in others if b.answers)
+    return Simulation(quantities, effects, tuple(s for s in sources if s is not None), tuple(behaviors))
+
+
+def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """The responses of a command that only certain devices send."""
+    return tuple((r.name, r.devices) for r in model.responses(f) if r.devices)
 
 
 def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[tuple[str, Node, m.Position]]:
@@ -202,7 +209,7 @@ class _Commands:
             setting=self.setting(node),
             key=tuple((k, self.number(n)) for k, n in _pairs(node, "key")),
             initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "initial")),
-            answers=tuple((k, self.devices(n)) for k, n in _pairs(node, "answers")),
+            answers=_layouts(f, self.model),
         )
 
     def references(self, f: m.Field, node: Node) -> None:
@@ -213,10 +220,6 @@ class _Commands:
                 if name not in known:
                     place = node[part].keys[name]
                     self.problems.add(place, f"'{f.full_name}' has no parameter '{name}'{nearest(name, known)}")
-        for name, _ in _pairs(node, "answers"):
-            if name not in f.responses:
-                place = node["answers"].keys[name]
-                self.problems.add(place, f"'{f.full_name}' has no response '{name}'{nearest(name, f.responses)}")
 
     def effect(self, node: Node) -> str:
         given = node.get("effect")
@@ -234,13 +237,6 @@ class _Commands:
                     near = nearest(name, effect.arguments)
                     self.problems.add(place, f"the effect '{effect.name}' has no argument '{name}'{near}")
         return str(given.value)
-
-    def devices(self, node: Node) -> tuple[str, ...]:
-        known = [d.id for d in self.model.devices]
-        for entry in node:
-            if entry.value not in known:
-                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, known)}")
-        return tuple(node.plain())
 
     def argument(self, f: m.Field, node: Node) -> str | int:
         if isinstance(node.value, int):

@@ -29,7 +29,7 @@ class Selection:
 def select(model: m.Model, selection: Selection) -> m.Model:
     """The part of the model that is selected."""
     _check(model, selection)
-    names = _needed(model, _asked(model, selection))
+    names = _needed(model, _asked(model, selection), selection.devices)
     devices = tuple(d for d in model.devices if not selection.devices or d.id in selection.devices)
     return _only(model, names, devices)
 
@@ -55,7 +55,25 @@ def _check(model: m.Model, selection: Selection) -> None:
     for what, (asked, names) in known.items():
         for name in asked:
             if name not in names:
-                raise Failure(f"unknown {what} '{name}'{nearest(name, names)}")
+                meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
+                near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
+                raise Failure(f"unknown {what} '{name}'{near}")
+
+
+def _meant(model: m.Model, word: str) -> list[str]:
+    """The devices that people call so: other names, a part of a name, the model number."""
+
+    def plain(name: str) -> str:
+        return "".join(c for c in name.casefold() if c.isalnum())
+
+    found = []
+    for d in model.devices:
+        names = [plain(name) for name in (d.id, d.title, *d.also)]
+        if plain(word) in (*names, str(d.model_number)):
+            return [d.id]
+        if plain(word) and any(plain(word) in name for name in names):
+            found.append(d.id)
+    return found
 
 
 def _asked(model: m.Model, selection: Selection) -> list[m.Field]:
@@ -73,15 +91,19 @@ def _asked(model: m.Model, selection: Selection) -> list[m.Field]:
     return found
 
 
-def _needed(model: m.Model, asked: Iterable[m.Field]) -> set[str]:
-    """The same with their responses or commands, and with the fields whose layout they repeat."""
+def _needed(model: m.Model, asked: Iterable[m.Field], devices: tuple[str, ...]) -> set[str]:
+    """The same with their responses or commands, and with the fields whose layout they repeat.
+
+    Of several layouts of a response only those of the devices, if any are given.
+    """
     names: set[str] = set()
     waiting = list(asked)
     while waiting:
         f = waiting.pop()
         if f.full_name not in names:
             names.add(f.full_name)
-            waiting += model.responses(f)
+            layouts = [r for d in devices for r in model.answers(f, d)] if devices else model.responses(f)
+            waiting += layouts
             waiting += model.commands(f) if f.role == m.RESPONSE else ()
             waiting.append(model.original(f))
             waiting += [s for c in f.silenced_by if (s := model.field(c.command or "")) is not None]
@@ -91,8 +113,8 @@ def _needed(model: m.Model, asked: Iterable[m.Field]) -> set[str]:
 def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.Model:
     """The model without other fields, and without what only these need."""
     ids = {d.id for d in devices}
-    acknowledge = _without_variants(model.protocol.acknowledge, ids)
-    fields = {f.full_name: _without_variants(f, ids) for f in model.fields if f.full_name in names}
+    acknowledge = _narrowed(model.protocol.acknowledge, ids, names)
+    fields = {f.full_name: _narrowed(f, ids, names) for f in model.fields if f.full_name in names}
     types = _types([acknowledge, *fields.values()])
     sets = {
         s.name: replace(
@@ -137,12 +159,14 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
     )
 
 
-def _without_variants(f: m.Field, devices: set[str]) -> m.Field:
-    """The field without what differs on other devices."""
+def _narrowed(f: m.Field, devices: set[str], names: set[str]) -> m.Field:
+    """The field without what differs on other devices, and without responses that are left out."""
     parameters = tuple(
         replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
     )
-    return replace(f, parameters=parameters)
+    responses = tuple(name for name in f.responses if f"{f.set_name}.{name}" in names)
+    senders = tuple(d for d in f.devices if d in devices) or f.devices
+    return replace(f, parameters=parameters, responses=responses, devices=senders)
 
 
 def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:

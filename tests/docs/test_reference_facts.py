@@ -57,6 +57,27 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
         assert rest[: len(wanted)] == wanted, f.full_name
 
 
+def test_layouts_of_other_devices_are_not_listed() -> None:
+    """A layout is sent by the devices that have it, on its page and on theirs."""
+    manual = manual_of("real")
+    gq4 = manual.model.field("3dm.device_status_diagnostic_gq4_45_response")
+    assert gq4 is not None
+    assert "Supported by 3DM-GQ4-45. Uncertain:" in words(manual.field(gq4))
+    page = manual.pages["docs/devices/3dm-gx5-15.md"]
+    (row,) = (line for line in page.splitlines() if "[Device Status]" in line and line.startswith("| `0x64`"))
+    assert re.findall(r"#3dm\.device_status_(\w+)_response", row) == ["basic", "diagnostic"]
+
+
+def test_fields_without_a_manual_mention_none() -> None:
+    """Repeated fields have the notes of another one, which may be in a manual."""
+    of = model("real")
+    kinds = {x.id: x.kind for x in of.protocol.manuals}
+    fields = [f for f in of.fields if {kinds[s.manual] for s in f.sources} == {"sdk"}]
+    assert {"glonass_ephemeris", "galileo_ephemeris"} <= {f.name for f in fields}
+    texts = [(f.full_name, text) for f in fields for text in (f.description, *f.notes)]
+    assert not [x for x in texts if "manual does not say" in x[1]]
+
+
 def test_sources_of_a_field(manual: Manual) -> None:
     """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
     for f in manual.fields:

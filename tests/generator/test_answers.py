@@ -62,3 +62,35 @@ def test_devices_that_send_a_response() -> None:
     assert [d.id for d in changed.devices_of(settings)] == ["model-a", "model-b", "model-c"]
     assert [d.id for d in changed.devices_of(response)] == ["model-a", "model-c"]
     assert [d.id for d in INVENTED.devices_of(field(INVENTED, "tools.inventory_response"))] == ["model-a", "model-c"]
+
+
+def test_devices_that_send_a_layout() -> None:
+    """Each device sends the layouts that name it, else those that name none."""
+    status = field(REAL, "3dm.device_status")
+    start, end = "device_status_", "_response"
+    sent = {
+        d.id: [r.name.removeprefix(start).removesuffix(end) for r in REAL.answers(status, d.id)]
+        for d, _ in REAL.supports(status)
+    }
+    assert sent["3dm-gx5-15"] == sent["3dm-cv5-25"] == ["basic", "diagnostic"]
+    assert sent["3dm-gq4-45"] == ["basic", "diagnostic_gq4_45"]
+    assert sent["3dm-gx5-45"] == sent["3dm-gx4-45"] == ["basic", "diagnostic_gnss"]
+    assert sent["3dm-gx4-15"] == ["basic_without_state", "diagnostic_gx4"]
+    assert sent["3dm-gx5-10"] == ["basic_without_state", "diagnostic_imu"]
+    gq4 = field(REAL, "3dm.device_status_diagnostic_gq4_45_response")
+    assert [d.id for d in REAL.devices_of(gq4)] == ["3dm-gq4-45"] and REAL.devices_of(gq4, certain=False) == ()
+    names = {r.full_name for r in REAL.responses(status)}
+    for d, _ in REAL.supports(status):  # what the notes of the devices say, which cite the source
+        note = next((n.description for n in d.notes if n.name == "device_status"), "")
+        told = {name for name in names if f"`{name}`" in note}
+        assert not told or told == {r.full_name for r in REAL.answers(status, d.id)}, d.id
+
+
+def test_layouts_of_one_device_in_the_model() -> None:
+    status = field(INVENTED, "tools.status")
+    assert [r.name for r in INVENTED.answers(status, "model-a")] == ["status_short", "status_old"]
+    assert [r.name for r in INVENTED.answers(status, "model-b")] == ["status_short", "status_long"]
+    assert [r.name for r in INVENTED.answers(status, "model-c")] == ["status_short", "status_full"]
+    assert said(INVENTED, "tools.status_full", "devices") == ["Supported by <Model C>."]
+    (behavior,) = (b for b in INVENTED.simulation.behaviors if b.command == status)
+    assert behavior.answers == (("status_old", ("model-a",)), ("status_full", ("model-c",)))

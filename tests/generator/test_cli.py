@@ -50,6 +50,13 @@ def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
         assert gap == "#" and len(comment) > 20
 
 
+def test_the_summary_counts_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["new", str(tmp_path)]) == 0
+    capsys.readouterr()
+    assert cli.main(["validate", "--spec", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == ("2 sets: 1 command, 1 data field, 1 response; 1 device, 2 examples, 0 errata\n")
+
+
 def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     assert cli.main(["new", str(tmp_path / "spec")]) == 0
     assert mipgen("generate", cwd=tmp_path).returncode == 0
@@ -76,6 +83,101 @@ def test_a_folder_with_something_in_it_is_left_alone(tmp_path: Path, capsys: pyt
         assert cli.main(["new", str(folder)]) == 1
         assert capsys.readouterr().err == (f"{folder}: error: this folder is not empty; name a new or empty folder\n")
     assert [p.name for p in tmp_path.iterdir()] == ["mine.txt"]
+
+
+# --------------------------------------------------------------------------- what is never overwritten
+
+
+@pytest.mark.parametrize(
+    ("out", "why"),
+    [
+        ("spec", "spec/c lies in spec, which --spec names"),
+        ("spec/made", "spec/made/c lies in spec, which --spec names"),
+        ("link", "link/c lies in spec, which --spec names"),
+        ("elsewhere", "elsewhere/c lies in spec/sets, which --spec names"),
+        ("into", "into/c lies in spec, which --spec names"),
+        ("over", "over/c/mine, which --spec names, lies in over/c"),
+        ("targets", "targets/c lies in targets, which --target-path names"),
+    ],
+)
+def test_output_never_mixes_with_what_is_read(out: str, why: str, tmp_path: Path) -> None:
+    shutil.copytree(INVENTED, tmp_path / "spec")
+    (tmp_path / "spec/sets").rename(tmp_path / "elsewhere")
+    (tmp_path / "spec/sets").symlink_to(tmp_path / "elsewhere")
+    (tmp_path / "link").symlink_to("spec")
+    (tmp_path / "into").mkdir()
+    (tmp_path / "into/c").symlink_to(tmp_path / "spec")
+    (tmp_path / "over/c/mine").mkdir(parents=True)
+    (tmp_path / "targets/c").mkdir(parents=True)
+    before = tree(tmp_path)
+    read = ["--spec", "spec", "--spec", "over/c/mine", "--target-path", "targets"]
+    done = mipgen("generate", "--target", "c", *read, "--out", out, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"mipgen: error: {why}; choose another --out\n"
+    assert tree(tmp_path) == before
+
+
+def test_output_beside_the_specification(tmp_path: Path) -> None:
+    """`--out .` is fine where nothing is in the way."""
+    shutil.copytree(INVENTED, tmp_path / "spec")
+    for _ in range(2):
+        assert mipgen("generate", "--target", "c", "--out", ".", cwd=tmp_path).returncode == 0
+    assert tree(tmp_path / "c") == tree(GOLDEN / "c") and tree(tmp_path / "spec") == tree(INVENTED)
+
+
+def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
+    """Nothing at all is written if one file of any target is in the way."""
+    for name in ("c/README.md", "python/pyproject.toml", "python/mine.py"):
+        (tmp_path / "mine" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "mine" / name).write_text("mine\n")
+    before = tree(tmp_path)
+    options = ("--spec", INVENTED, "--target", "c", "--target", "python", "--out", "mine")
+    done = mipgen("generate", *options, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == (
+        "mine: error: mipgen did not write these files, which its own would replace; "
+        "move or delete them, or choose another --out:\n  mine/c/README.md\n  mine/python/pyproject.toml\n"
+    )
+    assert tree(tmp_path) == before
+    for name in ("c/README.md", "python/pyproject.toml"):
+        (tmp_path / "mine" / name).unlink()
+    assert mipgen("generate", *options, cwd=tmp_path).returncode == 0
+    assert (tmp_path / "mine/python/mine.py").read_text() == "mine\n"
+
+
+def test_a_lost_manifest_is_written_again(tmp_path: Path) -> None:
+    """What is there is what would be written; a file that differs may be the user's."""
+    out = Path(shutil.copytree(GOLDEN, tmp_path / "out"))
+    options = ("--spec", INVENTED, "--target", "c", "--out", out)
+    (out / "c/.manifest").unlink()
+    assert mipgen("generate", *options, cwd=tmp_path).returncode == 0 and tree(out) == tree(GOLDEN)
+    (out / "c/.manifest").unlink()
+    (out / "c/README.md").write_text("changed\n")
+    done = mipgen("generate", *options, cwd=tmp_path)
+    assert done.returncode == 1 and done.stderr.endswith(f"--out:\n  {out}/c/README.md\n")
+    assert not (out / "c/.manifest").exists()
+
+
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "f").write_text("x\n")
+    for out, why in (("f", "Not a directory (f/c"), ("/proc/x", "No such file or directory (/proc/x")):
+        done = mipgen("generate", "--spec", INVENTED, "--target", "c", "--out", out, cwd=tmp_path)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr.startswith(f"{out}: error: cannot be written: {why}"), done.stderr
+        assert done.stderr.endswith("; choose another --out\n") and done.stderr.count("\n") == 1
+    for folder in ("f/x", "/proc/x"):
+        done = mipgen("new", folder, cwd=tmp_path)
+        assert done.returncode == 1 and done.stderr.startswith(f"{folder}: error: cannot be written: ")
+        assert done.stderr.endswith("; choose another folder\n") and done.stderr.count("\n") == 1
+
+
+def test_any_other_file_that_fails(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def fail(options: object) -> int:
+        raise PermissionError(13, "Permission denied", "spec/sets/a.yaml")
+
+    monkeypatch.setattr("mipgen.commands.validate", fail)
+    assert cli.main(["validate"]) == 1
+    assert capsys.readouterr().err == "spec/sets/a.yaml: error: Permission denied\n"
 
 
 # --------------------------------------------------------------------------- folders, help, versions

@@ -61,6 +61,13 @@ PORT = "{name: port, type: u8, for: WRS"
             "compatible",
             "model-a: another profile",
         ),
+        (
+            TOOLS,
+            "{response: 0x82, ",
+            "{response: 0x82, devices: [spare], ",
+            "compatible",
+            "tools.settings_response: a layout of other devices",
+        ),
         ("simulation/world.yaml", "Of the device", "Of it", "same", "height: another quantity"),
         ("simulation/world.yaml", "{unit: m,", "{unit: m, typical: 3,", "same", "height: another quantity"),
         (TOOLS, PORT, PORT.replace("u8", "u8, typical: 5"), "same", "settings.port: typical value 5, was none"),

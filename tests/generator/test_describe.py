@@ -73,7 +73,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "commands": "Answers <tools.status>.",
                 "layout": "Distinguished from <tools.status_long> and <tools.status_full> by the size of its data.",
                 "when": "Sent if <selector> is 2.",
-                "devices": BOTH,
+                "devices": "Supported by <Model A>.",
             },
         ),
         ("tools.formats", {"silent": "Not acknowledged if <suppress_ack> is true.", "devices": A}),

@@ -94,8 +94,22 @@ def test_devices_narrow_sets() -> None:
     part = select(INVENTED, Selection(devices=("model-b",), sets=("tools",)))
     assert names(part) == {
         "tools.ping", "tools.settings", "tools.settings_response", "tools.status", "tools.status_short",
-        "tools.status_long", "tools.status_old", "tools.status_full",
+        "tools.status_long",
     }  # fmt: skip
+
+
+def test_a_device_has_its_own_layouts_of_a_response() -> None:
+    for devices, wanted in (
+        (("3dm-gq4-45",), ["basic", "diagnostic_gq4_45"]),
+        (("3dm-gx5-10", "3dm-gx5-15"), ["basic", "basic_without_state", "diagnostic", "diagnostic_imu"]),
+    ):
+        part = select(REAL, Selection(devices=devices))
+        whole(part)
+        found = [n.removeprefix("3dm.device_status_").removesuffix("_response") for n in names(part)
+                 if n.startswith("3dm.device_status_")]  # fmt: skip
+        assert sorted(found) == wanted
+        for r in part.responses(part.field("3dm.device_status")):  # type: ignore[arg-type]
+            assert set(r.devices) <= set(devices)
 
 
 def test_guides_of_a_device() -> None:
@@ -118,6 +132,11 @@ def test_what_was_left_out() -> None:
     ("selection", "message"),
     [
         (Selection(devices=("3dm-gx5_15",)), "unknown device '3dm-gx5_15', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("GX5-15",)), "unknown device 'GX5-15', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("3DM-GX5-AR",)), "unknown device '3DM-GX5-AR', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("6254",)), "unknown device '6254', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("RQ1",)), "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st'?"),
+        (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
     ],

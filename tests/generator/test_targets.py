@@ -90,7 +90,15 @@ def test_a_missing_or_changed_file_is_noticed(first: Path, tmp_path: Path) -> No
     (out / "python/README.md").write_text("changed\n")
     done = mipgen("check", "--out", str(out))
     assert done.returncode == 1
-    assert "LICENSE: error: missing" in done.stderr and "README.md: error: changed" in done.stderr
+    assert done.stderr == (
+        f"{out}/python/LICENSE: error: missing\n{out}/python/README.md: error: changed\n"
+        f"mipgen: 2 files to put right; run: mipgen generate --out {out}\n"
+    )
+    (out / "python/LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
+    done = mipgen("check", "--spec", "spec", "--out", str(out), "--target", "python")
+    assert done.stderr.splitlines()[1:] == [
+        f"mipgen: 1 file to put right; run: mipgen generate --spec spec --out {out} --target python"
+    ]
 
 
 def test_generated_text_says_nothing_of_the_machine(first: Path) -> None:

@@ -14,12 +14,12 @@ const text = (name) => fs.readFileSync(path.join(folder, name), "utf8");
 await load("model.js");
 const mip = await load("mip/index.mjs");
 const tools = await load("tools/index.mjs");
-const { Packet, Protocol, buildPacket, decodeData, encodeData, fromHex, segments, toHex } = mip;
+const { Packet, Parser, Protocol, buildPacket, decodeData, encodeData, fromHex, segments, toHex } = mip;
 const protocol = new Protocol(globalThis.mipModel);
 
 /** A protocol with one data field, 0x80,0x01, of these operations. */
 function single(operations) {
-    const parameters = operations.map((op) => ({ name: op.member }));
+    const parameters = operations.flatMap((op) => (op.body ?? [op]).map(({ member }) => ({ name: member, optional: !!op.body })));
     const field = { set: 128, descriptor: 1, name: "a.b", role: "data", parameters, operations, min_size: 0, max_size: 99 };
     const known = globalThis.mipModel;
     const acknowledge = known.fields.find((one) => one.name === known.acknowledge);
@@ -150,6 +150,72 @@ test("numbers of sets and fields are checked", () => {
         assert.throws(() => buildPacket(protocol, 1, [{ descriptor: wrong, raw: "" }]), { kind: "descriptor" });
     }
     for (const wrong of [12, null, undefined, "1", "0x", " 12"]) assert.throws(() => fromHex(wrong), { kind: "hex" });
+});
+
+test("only bytes are bytes", () => {
+    const whole = buildPacket(protocol, 1, [{ descriptor: 1, raw: "" }]).bytes;
+    const buffer = whole.buffer.slice(whole.byteOffset, whole.byteOffset + whole.length);
+    const elsewhere = vm.runInNewContext("new Uint8Array(given)", { given: [...whole] });
+    for (const bytes of [whole, buffer, Buffer.from(whole), elsewhere]) {
+        assert.deepEqual(new Parser(protocol).feed(bytes)[0].bytes, whole);
+        assert.equal(toHex(Packet.from(protocol, bytes).bytes), toHex(whole));
+    }
+    for (const wrong of ["text", "", null, undefined, 5, [...whole], {}, new DataView(buffer), new Uint16Array(buffer.slice(0, 6))]) {
+        const parser = new Parser(protocol);
+        assert.throws(() => parser.feed(wrong), { name: "MipError", kind: "bytes", message: / is not a Uint8Array or an ArrayBuffer$/ });
+        assert.equal(parser.feed(whole).length, 1);
+        assert.throws(() => Packet.from(protocol, wrong), { kind: "bytes" });
+        if (typeof wrong !== "string" && wrong !== undefined) {
+            assert.throws(() => buildPacket(protocol, 1, [{ descriptor: 1, raw: wrong }]), { kind: "bytes" });
+        }
+    }
+});
+
+const COUNTED = [
+    { kind: "counter", member: "n", scalar: "u8", array: "xs" },
+    { kind: "array", member: "xs", item: { kind: "scalar", member: "item", scalar: "u8" }, counter: "n", capacity: 9 },
+];
+
+test("a counter that is left out counts its array", () => {
+    const { encode } = single(COUNTED);
+    assert.equal(encode({ xs: [7, 8] }), "020708");
+    assert.equal(encode({ xs: [] }), "00");
+    assert.equal(encode({ n: 1, xs: [7] }), "0107");
+    assert.throws(() => encode({ n: 2, xs: [7] }), { kind: "count" });
+    assert.throws(() => encode({}), { kind: "missing", message: "n is missing" });
+    assert.throws(() => encode({ xs: 5 }), { kind: "range", message: "xs: 5 is not an array" });
+    const optional = single([
+        { kind: "group", first: 1, last: 2, body: COUNTED },
+        { kind: "group", first: 3, last: 3, body: [{ kind: "scalar", member: "z", scalar: "u8" }] },
+    ]);
+    assert.equal(optional.encode({ xs: [7] }), "0107");
+    assert.equal(optional.encode({ xs: [7], z: 1 }), "010701");
+    assert.equal(optional.encode({}), "");
+    assert.throws(() => optional.encode({ z: 1 }), { kind: "missing", message: "n is missing" });
+    for (const field of protocol.model.fields) {
+        const data = new Uint8Array(field.max_size);
+        for (const { offset, size, value } of field.constants ?? []) data.set(fromHex(value.toString(16).padStart(2 * size, "0")), offset);
+        if (field.operations[0]?.kind === "counter") {
+            const { values } = decodeData(protocol, field, data);
+            const { [field.operations[0].member]: _, ...others } = values;
+            assert.equal(toHex(encodeData(protocol, field, others)), toHex(encodeData(protocol, field, values)), field.name);
+        }
+    }
+});
+
+test("errors say where the wrong value is", () => {
+    const { encode } = single(COUNTED);
+    assert.throws(() => encode({ xs: [1, 2, "a"] }), { kind: "range", message: 'xs[2]: "a" is not a whole number' });
+    assert.throws(() => encode({ xs: [1, 256] }), { message: "xs[1]: 256 does not fit in 1 byte" });
+    const bits = single([{ kind: "bits", member: "b", size: 2 }]);
+    assert.throws(() => bits.encode({ b: [0, -1] }), { message: "b[1]: -1 does not fit in 1 byte" });
+    const struct = protocol.model.types.find((one) => one.kind === "struct");
+    if (struct) {
+        const item = { kind: "struct", member: "item", struct: struct.name };
+        const many = single([{ kind: "array", member: "many", item, capacity: 9 }]);
+        assert.throws(() => many.encode({ many: [{}] }), { kind: "missing", message: /^many\[0\]\.\w+ is missing$/ });
+        assert.throws(() => many.encode({ many: [{ x_y_z: 1 }] }), { kind: "unknown", message: /^many\[0\] has no parameter "x_y_z"$/ });
+    }
 });
 
 test("text is Latin-1", () => {

@@ -32,6 +32,14 @@ export function fromHex(text) {
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
+/** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
+export function bytesOf(value) {
+    const kind = Object.prototype.toString.call(value);
+    if (kind === "[object ArrayBuffer]") return new Uint8Array(value);
+    if (kind !== "[object Uint8Array]") throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
+    return value;
+}
+
 export function concatenated(...parts) {
     const whole = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
     let at = 0;

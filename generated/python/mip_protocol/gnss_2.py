@@ -422,7 +422,7 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
     3DM-CV7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
-    days; the manual does not say how nt, a u8, counts them.
+    days; no source says how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
     """
@@ -440,9 +440,8 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 
     Has the layout of `gnss_1.GalileoEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
-    over at 4.
+    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -460,9 +459,8 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
 
     Has the layout of `gnss_1.BeidouEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
-    over at 4.
+    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """

@@ -434,7 +434,7 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
     device profile. Known only from the MicroStrain MIP SDK.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
-    days; the manual does not say how nt, a u8, counts them.
+    days; no source says how nt, a u8, counts them.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -453,9 +453,8 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     Has the layout of `gnss_1.GalileoEphemeris`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
-    over at 4.
+    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -474,9 +473,8 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     Has the layout of `gnss_1.BeidouEphemeris`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
-    over at 4.
+    The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+    mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """

@@ -987,8 +987,8 @@ class DeviceStatusBasicResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` by the size
     of its data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-GX4-45 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1057,13 +1057,11 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     Timer only.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` by the size of its data.
-    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
-    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has
-    it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual
-    of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the layout
-    with a state for that device.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. May be supported by 3DM-CV5-10,
+    3DM-CX5-10, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX4-15,
+    3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 gives
+    it too, but for the model number of another device; MSCL has the layout with a state for that
+    device.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1144,10 +1142,9 @@ class DeviceStatusDiagnosticResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
+    May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25 and
+    3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1362,13 +1359,11 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
-    Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from
-    a manual. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
-    times are assumed to be in ms like the system timer.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35
+    and 3DM-GX5-45. May be supported by 3DM-CX5-35, 3DM-CX5-45 and 3DM-GX4-45. Uncertain: MSCL has
+    it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
+    Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
+    assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1658,10 +1653,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45.
     Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
     follow from the names, and the times are assumed to be in ms like the system timer.
 
@@ -1980,12 +1972,10 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
-    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
-    Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
-    follow from the names, and the times are assumed to be in ms like the system timer.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST. Uncertain: No known manual gives it. Uncertain: MSCL only names the values;
+    the descriptions follow from the names, and the times are assumed to be in ms like the system
+    timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2296,13 +2286,10 @@ class DeviceStatusDiagnosticGx4Response(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticImuResponse` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
-    3DM-GX5-25. Uncertain: No known manual gives it for these devices; the offsets 49 to 69 in the
-    manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow
-    from the names, and the times are assumed to be in ms like the system timer.
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. May be supported by
+    3DM-GX4-15 and 3DM-GX4-25. Uncertain: No known manual gives it for these devices; the offsets 49
+    to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the
+    descriptions follow from the names, and the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2559,14 +2546,11 @@ class DeviceStatusDiagnosticImuResponse(Response):
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticGx4Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
-    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
-    3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
-    manual gives it. Uncertain: MSCL only names the values; the descriptions follow from the names,
-    and the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges
-    are not known.
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. May be supported by
+    3DM-CV5-10, 3DM-CX5-10 and 3DM-GX5-10. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
+    3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
+    follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
+    The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)

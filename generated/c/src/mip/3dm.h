@@ -6558,12 +6558,11 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Full name: 3dm.device_status_basic_without_state_response.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_response by the
- * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL
- * has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
- * manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the
- * layout with a state for that device.
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_basic_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
+ * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 gives it too, but
+ * for the model number of another device; MSCL has the layout with a state for that device.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -6615,8 +6614,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -6690,11 +6688,10 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
- * the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL
- * only names the values; the descriptions follow from the names, and the times are assumed to be in
- * ms like the system timer.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and
+ * 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its
+ * length is from a manual. Uncertain: MSCL only names the values; the descriptions follow from the
+ * names, and the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -6786,9 +6783,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
- * follow from the names, and the times are assumed to be in ms like the system timer.
+ * Supported by 3DM-GQ4-45. Uncertain: No known manual gives it. Uncertain: MSCL only names the
+ * values; the descriptions follow from the names, and the times are assumed to be in ms like the
+ * system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -6886,9 +6883,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
- * follow from the names, and the times are assumed to be in ms like the system timer.
+ * Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual gives it. Uncertain:
+ * MSCL only names the values; the descriptions follow from the names, and the times are assumed to
+ * be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -6982,15 +6979,15 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  *
  * Timer with the counters of pulses, streams, port and USB.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual gives it for these
- * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names
- * the values; the descriptions follow from the names, and the times are assumed to be in ms like
- * the system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual gives it for these devices;
+ * the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the
+ * values; the descriptions follow from the names, and the times are assumed to be in ms like the
+ * system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7072,15 +7069,15 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for the 3DM-GX5-10,
- * 3DM-CX5-10 and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the
- * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
- * Uncertain: The units of the ranges are not known.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+ * and 3DM-CV5-10; no known manual gives it. Uncertain: MSCL only names the values; the descriptions
+ * follow from the names, and the times are assumed to be in ms like the system timer. Uncertain:
+ * The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.

@@ -3002,7 +3002,7 @@ static inline mip_error mip_gnss_1_gps_ephemeris_encode_inline(
  *
  * The interface control document of GLONASS explains p and ft.
  *
- * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+ * A period of four years has 1461 days; no source says how nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  */
@@ -3231,8 +3231,8 @@ static inline mip_error mip_gnss_1_glonass_ephemeris_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections mean here.
+ * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -3505,8 +3505,8 @@ static inline mip_error mip_gnss_1_galileo_ephemeris_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections mean here.
+ * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *

@@ -2491,7 +2491,7 @@ static inline mip_error mip_gnss_external_2_gps_ephemeris_encode_inline(
  *
  * The interface control document of GLONASS explains p and ft.
  *
- * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+ * A period of four years has 1461 days; no source says how nt, a u8, counts them.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -2721,8 +2721,8 @@ static inline mip_error mip_gnss_external_2_glonass_ephemeris_encode_inline(
  * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
  * the MicroStrain MIP SDK.
  *
- * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections mean here.
+ * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2996,8 +2996,8 @@ static inline mip_error mip_gnss_external_2_galileo_ephemeris_encode_inline(
  * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
  * the MicroStrain MIP SDK.
  *
- * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections mean here.
+ * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
+ * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *

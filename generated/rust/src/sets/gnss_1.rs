@@ -1952,7 +1952,7 @@ record! {
     /// Also called `glo_ephemeris`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
-    /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+    /// - A period of four years has 1461 days; no source says how nt, a u8, counts them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62).
     #[derive(Default)]
@@ -2068,7 +2068,7 @@ record! {
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -2217,7 +2217,7 @@ record! {
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///

@@ -1233,7 +1233,7 @@ record! {
     /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The interface control document of GLONASS explains p and ft.
-    /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+    /// - A period of four years has 1461 days; no source says how nt, a u8, counts them.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1364,7 +1364,7 @@ record! {
     /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
     /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -1539,7 +1539,7 @@ record! {
     /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
     /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///

@@ -11,7 +11,7 @@ from .text import code, hexadecimal, inline, opening, table
 
 def supported(page: Page, d: m.Device, s: m.Set) -> str:
     """The fields of a set that a device supports, with the functions that it takes; empty if there are none."""
-    rows = [entry(page, x.field, x.functions) for x in d.certain if x.field.set == s.number]
+    rows = [entry(page, x.field, x.functions, d) for x in d.certain if x.field.set == s.number]
     return table(rows, ENTRY) if rows else ""
 
 
@@ -22,7 +22,7 @@ def perhaps(page: Page, d: m.Device) -> list[tuple[str, str]]:
         if x.evidence is not None:
             of = page.model.set(x.field.set)
             assert of is not None
-            found.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions)])
+            found.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions, d)])
     return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in found.items()]
 
 

@@ -99,14 +99,15 @@ def checksum_steps(model: m.Model) -> list[dict[str, Any]]:
 ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
 
 
-def entry(page: Page, f: m.Field, functions: Sequence[m.Function]) -> list[str]:
-    """A field in a list, with the functions that it takes there."""
+def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device | None = None) -> list[str]:
+    """A field in a list, with the functions that it takes there; of a device, with the responses that it sends."""
+    responses = page.model.answers(f, d.id) if d else page.model.responses(f)
     marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
     return [
         code(hexadecimal(f.descriptor)),
         page.link(f, inline(f.title)) + (f" ({', '.join(marks)})" if marks else ""),
         code(m.letters(functions)) if functions else "",
-        ", ".join(page.link(r, code(hexadecimal(r.descriptor))) for r in page.model.responses(f)),
+        ", ".join(page.link(r, code(hexadecimal(r.descriptor))) for r in responses),
     ]
 
 

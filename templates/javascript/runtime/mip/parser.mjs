@@ -1,6 +1,6 @@
 // Finds packets in a stream, among anything else.
 
-import { concatenated } from "./bytes.mjs";
+import { bytesOf, concatenated } from "./bytes.mjs";
 import { Packet } from "./packet.mjs";
 
 /**
@@ -15,9 +15,9 @@ export class Parser {
         this.skipped = 0;
     }
 
-    /** The packets that are complete with these bytes. */
+    /** The packets that are complete with these bytes, a Uint8Array or an ArrayBuffer. */
     feed(bytes) {
-        this.pending = concatenated(this.pending, bytes);
+        this.pending = concatenated(this.pending, bytesOf(bytes));
         return this.search(false);
     }
 

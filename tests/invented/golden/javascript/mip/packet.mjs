@@ -1,6 +1,6 @@
 // Packets: their frame, their fields, and building them.
 
-import { MipError, checksum, concatenated, described, fromHex, sameBytes, toHex } from "./bytes.mjs";
+import { MipError, bytesOf, checksum, concatenated, described, fromHex, sameBytes, toHex } from "./bytes.mjs";
 import { decodeData, encodeData } from "./codec.mjs";
 import { SHARED_SET } from "./protocol.mjs";
 
@@ -15,7 +15,8 @@ export class Packet {
     }
 
     /** A whole packet; anything else raises a MipError: "sync", "length" or "checksum". */
-    static from(protocol, bytes) {
+    static from(protocol, given) {
+        const bytes = bytesOf(given);
         if (!sameBytes(bytes.subarray(0, 2), protocol.sync)) {
             throw new MipError("sync", `it does not begin with ${toHex(protocol.sync, " ")}`);
         }
@@ -93,7 +94,7 @@ function decodeField(protocol, set, { descriptor, data }, options) {
 
 /**
  * A packet of a set with these fields: each has a `descriptor`, and either `raw` (bytes or hexadecimal digits) or `name`
- * and `values`. Raises a MipError if something does not fit.
+ * and `values`; a counter that is left out counts its array. Raises a MipError if something does not fit.
  */
 export function buildPacket(protocol, set, fields) {
     if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
@@ -102,7 +103,7 @@ export function buildPacket(protocol, set, fields) {
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
         }
-        const data = entry.raw === undefined ? dataOf(protocol, set, entry) : bytesOf(entry.raw);
+        const data = entry.raw === undefined ? dataOf(protocol, set, entry) : rawOf(entry.raw);
         if (data.length > protocol.maxFieldData) {
             throw new MipError("length", `a field holds at most ${protocol.maxFieldData} bytes of data`);
         }
@@ -122,6 +123,6 @@ function dataOf(protocol, set, { descriptor, name, values }) {
     return encodeData(protocol, field, values);
 }
 
-function bytesOf(raw) {
-    return typeof raw === "string" ? fromHex(raw) : raw;
+function rawOf(raw) {
+    return typeof raw === "string" ? fromHex(raw) : bytesOf(raw);
 }

@@ -758,7 +758,7 @@ class StatusLong(Response):
     """Status response (0x01,0x90).
 
     Answers `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data. Sent
-    if `selector` is 2. Supported by Model A, Model B and Model C.
+    if `selector` is 2. Supported by Model B.
 
     - guide: Status
     """
@@ -827,7 +827,7 @@ class StatusOld(Response):
     The long layout of old devices. Its size tells it from the others.
 
     Answers `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data. Sent
-    if `selector` is 2. Supported by Model A, Model B and Model C.
+    if `selector` is 2. Supported by Model A.
 
     - guide: Status
     """
@@ -881,7 +881,7 @@ class StatusFull(Response):
     """Status response (0x01,0x90).
 
     Answers `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data. Sent
-    if `selector` is 2. Supported by Model A, Model B and Model C.
+    if `selector` is 2. Supported by Model C.
 
     - guide: Status
     """

@@ -676,7 +676,7 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
  * Status response: response (0x01,0x90).
  *
  * Answers mip_tools_status. Distinguished from mip_tools_status_old and mip_tools_full by the size
- * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * of its data. Sent if selector is 2. Supported by Model B.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -722,7 +722,7 @@ static inline mip_error mip_tools_status_long_encode(const struct mip_tools_stat
  * The long layout of old devices. Its size tells it from the others.
  *
  * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_full by the size
- * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * of its data. Sent if selector is 2. Supported by Model A.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -763,7 +763,7 @@ static inline mip_error mip_tools_status_old_encode(const struct mip_tools_statu
  * Full name: tools.status_full.
  *
  * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_status_old by
- * the size of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * the size of its data. Sent if selector is 2. Supported by Model C.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.

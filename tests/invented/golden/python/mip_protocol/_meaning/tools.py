@@ -397,9 +397,9 @@ TYPES: dict[str, Info] = {
     "StatusLong": FieldInfo(
         "tools.status_long", type=tools.StatusLong,
         title="Status response",
-        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusOld` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusOld` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model B."),
         sources=("guide: Status",),
-        devices=("model-a", "model-b", "model-c"),
+        devices=("model-b",),
         parameters=(
             Parameter("model", "model", "constant", description="The model.", facts=("Always 4711.",), scalar="u16", constant=4711),
             Parameter("selector", "selector", "constant", description="The long layout.", facts=("Always 2.",), scalar="u8", constant=2),
@@ -411,9 +411,9 @@ TYPES: dict[str, Info] = {
         "tools.status_old", type=tools.StatusOld,
         title="Status response",
         description="The long layout of old devices. Its size tells it from the others.",
-        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusFull` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A."),
         sources=("guide: Status",),
-        devices=("model-a", "model-b", "model-c"),
+        devices=("model-a",),
         parameters=(
             Parameter("model", "model", "constant", description="The model.", facts=("Always 4711.",), scalar="u16", constant=4711),
             Parameter("selector", "selector", "constant", description="The long layout.", facts=("Always 2.",), scalar="u8", constant=2),
@@ -423,9 +423,9 @@ TYPES: dict[str, Info] = {
     "StatusFull": FieldInfo(
         "tools.status_full", type=tools.StatusFull,
         title="Status response",
-        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusOld` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model A, Model B and Model C."),
+        facts=("Answers `tools.Status`.", "Distinguished from `tools.StatusLong` and `tools.StatusOld` by the size of its data.", "Sent if `selector` is 2.", "Supported by Model C."),
         sources=("guide: Status",),
-        devices=("model-a", "model-b", "model-c"),
+        devices=("model-c",),
         parameters=(
             Parameter("model", "model", "constant", description="The model.", facts=("Always 4711.",), scalar="u16", constant=4711),
             Parameter("selector", "selector", "constant", description="The long layout.", facts=("Always 2.",), scalar="u8", constant=2),

@@ -67,8 +67,7 @@ COMMANDS: dict[str, Behavior] = {
     "tools.choice": Behavior(instances={"instance": "data_sets"}),
     "tools.bias": Behavior(initial={"bias": (0.5, 0.25, 0.0)}),
     "tools.status": Behavior(
-        arguments={"set": 128},
-        answers={"status_old": ("model-a",), "status_full": ("model-b", "model-c")},
+        arguments={"set": 128}, answers={"status_old": ("model-a",), "status_full": ("model-c",)}
     ),
 }
 

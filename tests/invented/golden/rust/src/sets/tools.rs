@@ -1335,8 +1335,7 @@ record! {
     ///
     /// Answers [`Status`]. Distinguished from [`StatusOld`] and [`StatusFull`] by the size of its
     /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
-    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
-    /// C](crate::devices::MODEL_C).
+    /// B](crate::devices::MODEL_B).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
     ///
@@ -1399,8 +1398,7 @@ record! {
     ///
     /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusFull`] by the size of its
     /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
-    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
-    /// C](crate::devices::MODEL_C).
+    /// A](crate::devices::MODEL_A).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
     ///
@@ -1433,7 +1431,6 @@ record! {
     ///
     /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusOld`] by the size of its
     /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
-    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
