@@ -87,7 +87,7 @@ bool mip_device_poll(struct mip_device *device) {
     return device->busy || update(device, bytes, sizeof(bytes), &came);
 }
 
-/** Reads and handles what has arrived, until there is no more, or as much as is arriving now. */
+/** Reads and handles what has arrived; not for ever, because more may be arriving. */
 static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
     const struct mip_port *port = &device->port;
     const uint32_t start = port->now(port->user);
