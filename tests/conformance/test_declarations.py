@@ -63,7 +63,7 @@ def test_the_bindings_offer_everything(operation: str) -> None:
 def mine(folder: Path, driver: str = DRIVER, needs: str = "") -> Path:
     """A folder of targets with one that has a driver."""
     paths = os.pathsep.join((str(ROOT / "generator"), str(ROOT / "tests")))
-    (folder / "mine").mkdir()
+    (folder / "mine").mkdir(parents=True)
     for name, text in (
         ("target.py", TARGET.format(needs=needs)),
         ("set.txt.j2", "{{ model.sets | length }}\n"),
@@ -126,7 +126,7 @@ def test_a_missing_program_is_named(tmp_path: Path) -> None:
     ],
 )
 def test_a_wrong_declaration_is_named(line: str, error: str, tmp_path: Path) -> None:
-    folder = mine(tmp_path, needs=line)
+    folder = mine(tmp_path / "targets", needs=line)
     done = subprocess.run(
         [sys.executable, "-m", "mipgen", "generate", "--target", "mine", "--target-path", str(folder), "--out",
          str(tmp_path / "out")],

@@ -147,7 +147,7 @@ def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_p
             device.request(base.GetDeviceInfo())
         assert time.monotonic() - started < 5
         with pytest.raises(mip.NoAnswer):
-            device.request(base.GetDeviceInfo(), timeout=0.0)
+            device.request(base.BuiltInTest(), timeout=0.0)  # takes two seconds, so its answer is late for sure
         stream(device)
         sets = [device.next(5).packet.set for _ in range(10)]
         assert sets == [1] + [0x80] * 9  # the answer that came too late is not lost
