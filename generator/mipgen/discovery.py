@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
 MODULE = "target.py"
+MANIFEST = ".manifest"  # the list of the files in a folder of output
 CONTENTS = ("TITLE", "files", "identifiers", "filters")  # what a module of a target must have
 OPERATIONS = ("parse", "decode", "encode", "client", "live")  # what a target may declare in CONFORMANCE
 

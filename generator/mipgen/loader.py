@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from . import cache, overlay, resources, stamp
+from .discovery import MANIFEST
 from .documents import Document
 from .model import Position
 from .nodes import Node, read
@@ -99,7 +100,10 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """Reports files in the wrong place, which would be ignored silently."""
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
+    made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
+        if not made.isdisjoint(path.parents):
+            continue
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 

@@ -6,6 +6,7 @@ files are written, and obsolete files of earlier runs are removed.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -15,12 +16,11 @@ from typing import Any, Protocol
 import yaml
 
 from . import discovery, formatting, resources
-from .discovery import Source
+from .discovery import MANIFEST, Source
 from .errors import Failure
 from .model import Model
 from .naming import Identifier
 
-MANIFEST = ".manifest"
 RUNTIME = "runtime"
 
 
@@ -138,7 +138,7 @@ def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
         path = folder / d.path
         if d.what in ("missing", "changed"):
             path.parent.mkdir(parents=True, exist_ok=True)
-            part = path.with_name(path.name + ".part")
+            part = path.with_name(f"{path.name}.{os.getpid()}.part")
             part.write_bytes(made[d.path])
             part.replace(path)
             done.append(d)
@@ -164,4 +164,4 @@ def _present(folder: Path) -> set[str]:
 
 def _manifest(folder: Path) -> set[str]:
     path = folder / MANIFEST
-    return set(path.read_text("utf-8").splitlines()) if path.is_file() else set()
+    return set(path.read_text("utf-8", "replace").splitlines()) if path.is_file() else set()

@@ -92,7 +92,7 @@ def test_a_folder_with_something_in_it_is_left_alone(tmp_path: Path, capsys: pyt
     ("out", "why"),
     [
         ("spec", "spec/c lies in spec, which --spec names"),
-        ("spec/made", "spec/made/c lies in spec, which --spec names"),
+        ("spec/types/made", "spec/types/made/c lies in spec/types, which --spec names"),
         ("link", "link/c lies in spec, which --spec names"),
         ("elsewhere", "elsewhere/c lies in spec/sets, which --spec names"),
         ("into", "into/c lies in spec, which --spec names"),
@@ -123,6 +123,16 @@ def test_output_beside_the_specification(tmp_path: Path) -> None:
     for _ in range(2):
         assert mipgen("generate", "--target", "c", "--out", ".", cwd=tmp_path).returncode == 0
     assert tree(tmp_path / "c") == tree(GOLDEN / "c") and tree(tmp_path / "spec") == tree(INVENTED)
+
+
+def test_a_specification_that_is_a_whole_project(tmp_path: Path) -> None:
+    """What `mipgen new .` says works, also again: the output is no part of the specification."""
+    command = mipgen("new", ".", cwd=tmp_path).stdout.rpartition("then: mipgen ")[2].split()
+    for _ in range(2):
+        done = mipgen(*command, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    assert mipgen("validate", "--spec", ".", cwd=tmp_path).returncode == 0
+    assert (tmp_path / "generated/markdown/mkdocs.yml").is_file()
 
 
 def test_files_of_the_user_are_kept(tmp_path: Path) -> None:

@@ -29,11 +29,13 @@
 //! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
 //! held back by noise are searched.
 //!
-//! **After a command that was not answered**, its answer may still arrive. For ten seconds, each
-//! command therefore first reads what has already arrived, and keeps it as data: a late answer is
-//! not taken for that of another command of the same type. This takes as long as one read without
-//! data. An answer that arrives after the next command was sent cannot be told from its answer,
-//! unless they are of different types: if a device may be that slow, use a longer time-out.
+//! **After a command that was not answered**, its answer may still arrive. The next command, and
+//! those of the ten seconds after it, therefore first read what has already arrived, and keep it as
+//! data: a late answer is not taken for that of another command of the same type. This takes as long
+//! as one read without data; while data keeps arriving, at most 64 reads or 100 ms. An
+//! `AsyncDevice` does this before every command. An answer that arrives after the next command of
+//! the same type was sent is taken for its answer: if a device may be that slow, use a longer
+//! time-out.
 //!
 //! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of
 //! the port ([`Device::port_mut`]), and check with a ping that the device answers.
@@ -173,8 +175,10 @@ impl Waited {
             *self = Self::new();
             return false;
         }
+        // If it was stopped during this read, what has come is still to be read.
+        let stopped = self.since.is_none() && now_ms.wrapping_sub(deadline) >= CATCH_UP;
         let since = *self.since.get_or_insert(now_ms);
-        is_over(true, came && now_ms.wrapping_sub(since) < CATCH_UP, &mut self.backlog)
+        is_over(true, (came || stopped) && now_ms.wrapping_sub(since) < CATCH_UP, &mut self.backlog)
     }
 }
 
@@ -433,10 +437,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
         let now_ms = self.port.now_ms();
         if core::mem::take(&mut self.missed) {
-            self.late = Some(after(now_ms, LATE));
+            self.late = Some(now_ms);
         }
         self.core.client.clear();
-        if self.late.map_or(true, |end| has_passed(end, now_ms)) {
+        if self.late.map_or(true, |since| now_ms.wrapping_sub(since) >= LATE) {
             self.late = None;
             return Ok(now_ms);
         }

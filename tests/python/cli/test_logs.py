@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import random
 import resource
 import shlex
@@ -17,6 +18,8 @@ from pathlib import Path
 
 import pytest
 from mip_protocol import Packet, PacketBuilder, Parser, filter_data, gnss_1, registry, sensor, shared
+from mip_protocol.cli import outputs
+from mip_protocol.errors import Failure
 from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
 
 NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
@@ -426,6 +429,36 @@ def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.Ca
     assert code == 2 and "is the log itself" in error
     assert split.read_bytes() == before
     assert run(capsys, "export", split, "-o", "/dev/null", "--format", "csv")[0] == 0
+
+
+def test_standard_output_may_be_the_log(path: Path) -> None:
+    before = path.read_bytes()
+    with path.open("ab") as file:
+        done = subprocess.run(command("cut", path, "-o", "-"), stdout=file, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    assert done.returncode == 2 and b"standard output is the log itself" in done.stderr
+    assert path.read_bytes() == before
+
+
+def test_what_a_killed_program_kept_is_not_touched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers of processes repeat: in a container, after a power failure."""
+    monkeypatch.setattr(os, "getpid", lambda: 1)
+    kept = tmp_path / "log.bin.1.part"
+    kept.write_bytes(b"kept")
+    with outputs.whole(str(tmp_path / "log.bin"), keep=True) as file:
+        file.write(b"new")
+    assert (kept.read_bytes(), (tmp_path / "log.bin").read_bytes()) == (b"kept", b"new")
+
+
+def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    with (
+        pytest.raises(Failure, match="has appeared meanwhile; the bytes are in "),
+        outputs.whole(str(path), keep=True, replace=False) as file,
+    ):
+        file.write(b"mine")
+        path.write_bytes(b"theirs")
+    (part,) = tmp_path.glob("*.part")
+    assert (part.read_bytes(), path.read_bytes()) == (b"mine", b"theirs")
 
 
 def test_a_full_disk(path: Path, tmp_path: Path) -> None:

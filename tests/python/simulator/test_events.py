@@ -242,7 +242,10 @@ def test_saved_events_work_after_a_restart(host: Host) -> None:
     host.ok(mip_3dm.DeviceSettings.save())
     host.device.drive(1, True)
     host.device.reset()
-    host.device.advance(0.6)
+    host.link.read()
+    host.device.advance(0.45)
+    assert host.link.read() == b"", "it boots"
+    host.device.advance(0.15)
     assert sent(host, 1.0) > 90
     host.ok(mip_3dm.DeviceSettings.default())
     sent(host, 0)

@@ -21,6 +21,8 @@ struct Played {
     now: u32,
     /// The program is stopped for so long before the next read.
     stopped: u32,
+    /// The same during the next read, which then returns nothing.
+    stopped_inside: u32,
     /// Reading what comes takes so long.
     pace: u32,
 }
@@ -33,6 +35,11 @@ impl Port for Played {
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Gone> {
         self.now = self.now.wrapping_add(std::mem::take(&mut self.stopped));
+        let inside = std::mem::take(&mut self.stopped_inside);
+        if inside > 0 {
+            self.now = self.now.wrapping_add(inside);
+            return Ok(0);
+        }
         let Some(chunk) = self.coming.front_mut() else {
             self.now += 10;
             return Ok(0);
@@ -272,6 +279,9 @@ fn a_program_that_was_stopped_finds_what_came_in_time() {
     device.port_mut().stopped = 5000;
     device.port_mut().coming.extend([vec![0; 2000], data(1.0)]);
     assert_eq!(next(&mut device), Some(data(1.0)));
+    device.port_mut().stopped_inside = 5000;
+    device.port_mut().replies.push_back(vec![answered(5, &BIAS)]);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     // If nothing is missing any more, it is over; and at last if there is no end.
     let late = Err(DeviceError::Command(CommandError::TimedOut));
     assert_eq!(stopped(vec![before]).request(&tools::Bias::read()), late);
@@ -454,6 +464,12 @@ fn only_after_a_missing_answer_is_something_read_before_a_command() {
     // One answer may have been that of the command before; but not after so long.
     device.port_mut().now += 10_000;
     assert_eq!((answered(&mut device), answered(&mut device)), (0, 0));
+    // Nor after so long that half of all times have passed.
+    device.port_mut().replies.clear();
+    assert_eq!(device.run(&tools::Ping), Err(late));
+    assert_eq!(answered(&mut device), 10);
+    device.port_mut().now = device.port().now.wrapping_add(u32::MAX / 2 + 20_000);
+    assert_eq!(answered(&mut device), 0);
     // A failed port is such a case, too, also with data in between.
     device.port_mut().replies = [vec![vec![], ack(1, AckCode::OK)]].into();
     assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));

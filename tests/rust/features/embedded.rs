@@ -329,9 +329,9 @@ fn time_goes_on_while_noise_comes_without_end() {
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
-    assert_eq!(uart.now(), 63 + 1000 + 63); // what came before it, and what could have come in time
+    assert_eq!(uart.now(), 63 + 1000 + 64); // what came before it, and what could have come in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
-    assert_eq!(uart.now(), 63 + 1113 + 63);
+    assert_eq!(uart.now(), 63 + 1114 + 63);
 }
 
 #[test]
@@ -429,7 +429,7 @@ impl embedded_io::Write for Shaky {
     }
 
     fn flush(&mut self) -> Result<(), Failed> {
-        Ok(())
+        self.fails(self.write)
     }
 }
 
@@ -446,7 +446,7 @@ impl embedded_io_async::Write for Shaky {
     }
 
     async fn flush(&mut self) -> Result<(), Failed> {
-        Ok(())
+        self.fails(self.write)
     }
 }
 
@@ -500,6 +500,28 @@ fn a_port_that_accepts_no_bytes() {
     assert_eq!(blocking(&port), Err(DeviceError::Port(EmbeddedError::WriteZero)));
     assert_eq!(EmbeddedError::<Failed>::WriteZero.to_string(), "the driver accepts no bytes");
     assert_eq!(awaited(&port), Err(DeviceError::Closed));
+}
+
+/// The port did not take a ping; now it takes bytes, and the answer arrives after an interruption.
+fn late(port: &mut Shaky) {
+    (port.accepts, port.operations) = (usize::MAX, 0);
+    port.uart.0.borrow_mut().coming.extend(ack(1, AckCode(3)).bytes());
+}
+
+#[test]
+fn an_interruption_hides_no_late_answer() {
+    let port = Shaky::new(ErrorKind::Interrupted, ErrorKind::Interrupted, 0);
+    let clock = port.uart.clone();
+    let mut device = Device::new(EmbeddedPort::new(port.clone(), move || clock.now()));
+    assert!(device.run(&tools::Ping).is_err());
+    late(device.port_mut().get_mut());
+    assert_eq!(device.run(&tools::Ping), Ok(()));
+
+    let port = Shaky::new(ErrorKind::Interrupted, ErrorKind::Interrupted, 0);
+    let mut device = AsyncDevice::new(port.clone(), |ms| sleep(&port.uart, ms));
+    assert!(block_on(&port.uart, device.run(&tools::Ping)).is_err());
+    late(device.port_mut());
+    assert_eq!(block_on(&port.uart, device.run(&tools::Ping)), Ok(()));
 }
 
 #[test]

@@ -150,10 +150,11 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
  * zeroed first, and stays zeroed unless the command succeeds and requests this response.
  *
- * For ten seconds after a command has timed out, what has already arrived is read and handled
- * before the next one is sent, which takes as long as one read without data: a late answer is not
- * taken for that of another command of the same type. An answer that comes only after that command
- * is sent cannot be told from its answer; if the device may be so slow, give it a longer `timeout`.
+ * For ten seconds after a command that was not answered, what has already arrived is read and
+ * handled before the next one is sent: a late answer is not taken for that of another command of
+ * the same type. This takes as long as one read without data; while data keeps arriving, at most 64
+ * reads or 100 ms. An answer that comes only after the next command of the same type is sent is
+ * taken for its answer; if the device may be so slow, give it a longer `timeout`.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,

@@ -206,7 +206,12 @@ async fn write<P: Write>(port: &mut P, mut bytes: &[u8]) -> Result<(), DeviceErr
             Err(error) => return Err(DeviceError::Port(error)),
         }
     }
-    port.flush().await.map_err(DeviceError::Port)
+    loop {
+        match port.flush().await {
+            Err(error) if error.kind() == ErrorKind::Interrupted => pause().await,
+            done => return done.map_err(DeviceError::Port),
+        }
+    }
 }
 
 /// Lets other futures run once: otherwise the time may not go on.
@@ -234,9 +239,10 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     let (count, late) = {
         let mut read = pin!(port.read(part));
         poll_fn(|context| {
-            let count = read.as_mut().poll(context);
-            // It is not asked again when it is over.
+            // Before reading, in case that the program is stopped in between. It is not asked again
+            // when it is over.
             let late = *backlog < BACKLOG || sleep.as_mut().poll(context).is_ready();
+            let count = read.as_mut().poll(context);
             match count {
                 Poll::Ready(count) => Poll::Ready((Some(count), late)),
                 Poll::Pending if late => Poll::Ready((None, late)),
@@ -246,7 +252,9 @@ async fn read<P: Read, const N: usize, const Q: usize>(
         .await
     };
     let nothing = matches!(&count, Some(Err(error)) if is_nothing(error));
-    let over = is_over(late, count.is_some() && !nothing, backlog);
+    // After an interruption there may be more.
+    let empty = matches!(&count, Some(Err(error)) if error.kind() == ErrorKind::TimedOut);
+    let over = is_over(late, count.is_some() && !empty, backlog);
     match count {
         None => Ok(false),
         Some(Ok(0)) if core.look_behind() => Ok(!over),

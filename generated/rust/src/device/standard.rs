@@ -48,7 +48,12 @@ impl<T: Read + Write> Port for StdPort<T> {
     type Error = io::Error;
 
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        match self.io.read(buffer) {
+        let interrupted = |error: &io::Error| error.kind() == ErrorKind::Interrupted;
+        let count = match self.io.read(buffer) {
+            Err(error) if interrupted(&error) => self.io.read(buffer), // there may be more
+            count => count,
+        };
+        match count {
             Ok(0) => {}
             Ok(count) => return Ok(count),
             Err(error) => match error.kind() {

@@ -131,6 +131,12 @@ static enum mip_outcome outcome_of(const struct mip_request *request) {
     }
 }
 
+/** The answer to the command may still come. */
+static void owe(struct mip_device *device) {
+    device->missed = device->port.now(device->port.user);
+    device->owed = true;
+}
+
 struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
                                   const void *value, const struct mip_codec *codec,
                                   void *response) {
@@ -159,6 +165,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     const struct mip_packet packet = mip_builder_finish(&builder);
     if (!port->write(port->user, packet.bytes, packet.size)) {
         mip_client_cancel(&device->client, &request);
+        owe(device); /* a part of it may have been sent */
         return result_of(MIP_NOT_SENT, 0, MIP_OK);
     }
     while (request.state == MIP_REQUEST_WAITING) {
@@ -167,9 +174,8 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
             mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
         }
     }
-    if (request.state == MIP_REQUEST_TIMED_OUT) {
-        device->missed = port->now(port->user);
-        device->owed = true;
+    if (request.state == MIP_REQUEST_TIMED_OUT || request.state == MIP_REQUEST_CANCELLED) {
+        owe(device);
     }
     return result_of(outcome_of(&request), request.code, request.error);
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -13,16 +14,17 @@ from ..errors import Failure, Misuse
 
 
 @contextmanager
-def whole(name: str, keep: bool = False) -> Iterator[IO[bytes]]:
+def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[bytes]]:
     """A file to write, or standard output for `-`. It gets its name when it is complete.
 
-    After an interrupt or an error nothing is left, unless the written part is to be kept. Raises Failure.
+    After an interrupt or an error nothing is left, unless the written part is to be kept. Raises Failure, also if a
+    file that is not to be replaced has appeared meanwhile; the part is then kept.
     """
     if name == "-":
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
-    with whole_path(name, keep) as part:
+    with whole_path(name, keep, replace) as part:
         try:
             file = open(part, "wb")
         except OSError as error:
@@ -32,7 +34,7 @@ def whole(name: str, keep: bool = False) -> Iterator[IO[bytes]]:
 
 
 @contextmanager
-def whole_path(name: str, keep: bool = False) -> Iterator[Path]:
+def whole_path(name: str, keep: bool = False, replace: bool = True) -> Iterator[Path]:
     """A path beside a file, which replaces the file at the end. Raises Failure."""
     path = Path(name)
     if path.is_dir():
@@ -43,20 +45,22 @@ def whole_path(name: str, keep: bool = False) -> Iterator[Path]:
         except OSError as error:
             raise _failed(name, error) from None
         return
-    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    number = os.getpid()
+    while (part := path.with_name(f"{path.name}.{number}.part")).exists():
+        number += 1  # kept by a program that was killed; numbers of processes repeat
     try:
         yield part
     except BaseException as error:
         keeps = keep and isinstance(error, (KeyboardInterrupt, OSError)) and holds_bytes(part)
         if keeps:
-            _rename(part, path, keep)
+            _rename(part, path, keep, replace)
         else:
             with suppress(OSError):
                 part.unlink()
         if isinstance(error, OSError):
             raise _failed(name, error, "; what came before is kept" if keeps else "") from None
         raise
-    _rename(part, path, keep)
+    _rename(part, path, keep, replace)
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:
@@ -66,7 +70,9 @@ def _failed(name: str, error: OSError, more: str = "") -> Exception:
     return Failure(f"{name} cannot be written: {error.strerror or error}{more}")
 
 
-def _rename(part: Path, path: Path, keep: bool) -> None:
+def _rename(part: Path, path: Path, keep: bool, replace: bool) -> None:
+    if not replace and holds_bytes(path):
+        raise Failure(f"{path} has appeared meanwhile; the bytes are in {part}")
     try:
         os.replace(part, path)
     except OSError as error:
@@ -86,11 +92,12 @@ def refuse_input(output: str, source: str) -> None:
     """Raises Failure if a log would be replaced by what is made of it, whatever the two are called."""
     try:
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
-        same = output != "-" and os.path.samestat(given, os.stat(output))
-    except (OSError, ValueError):  # one of them does not exist, or standard input is no file
+        taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)
+    except (OSError, ValueError):  # one of them does not exist, or standard input or output is no file
         return
-    if same and os.path.isfile(output):
-        raise Misuse(f"{output} is the log itself; name another file")
+    if os.path.samestat(given, taken) and stat.S_ISREG(taken.st_mode):
+        name = "standard output" if output == "-" else output
+        raise Misuse(f"{name} is the log itself; name another file")
 
 
 def note(text: str) -> None:

@@ -85,7 +85,7 @@ class VirtualDevice:
         self.booted: int = 0
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
-        self._ready_at = 0
+        self.ready_at = 0
         self._busy_until: int | None = None  # a command takes its time; others wait
         self._waiting: list[tuple[Link, Packet]] = []
         self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
@@ -119,16 +119,26 @@ class VirtualDevice:
         self.links = [other for other in self.links if other is not link]
 
     def drive(self, pin: int, level: bool) -> None:
-        """A signal from outside gives a pin this level, which counts while the pin is an input."""
+        """A signal from outside gives a pin this level, which counts while the pin is an input.
+
+        Raises ValueError if the device has no such pin.
+        """
+        self._check(pin)
         before = self.world.level(pin)
         self.world.signals[pin] = level
         if self.world.level(pin) != before:
             self.events.changed(pin, level)
 
     def wave(self, pin: int, hertz: float) -> None:
-        """A square wave at a pin, low at first."""
+        """A square wave at a pin, low at first. Raises ValueError if the device has no such pin."""
+        self._check(pin)
         change = [(1, pin)]
         self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
+
+    def _check(self, pin: int) -> None:
+        limit = self.profile.limits.get("gpio_pins")
+        if not 1 <= pin <= (255 if limit is None else limit.value):
+            raise ValueError(f"the device has no pin {pin}")
 
     def _change(self, pins: list[int]) -> None:
         for pin in pins:
@@ -191,7 +201,7 @@ class VirtualDevice:
         self.world.pins.clear()
         self.world.pulled_up.clear()
         self.booted = self.now
-        self._ready_at = self.now + BOOT_TIME
+        self.ready_at = self.now + BOOT_TIME
         self._settle()
 
     @property
@@ -219,7 +229,7 @@ class VirtualDevice:
         self.bytes_received += len(data)
         if self.faults is not None:
             data = self.faults.receive(self.now, data)
-        if self.now < self._ready_at or not link.takes & ports.MIP:
+        if self.now < self.ready_at or not link.takes & ports.MIP:
             return
         link.heard = self.now
         self._taken(link, link.parser.feed(data))
@@ -344,7 +354,7 @@ class VirtualDevice:
     def arrange(self) -> None:
         """Starts the streams that the settings ask for, and no others."""
         quiet = self.idle or self.direct
-        self._streams = [] if quiet else formats.streams(self, max(self.now, self._ready_at))
+        self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
     def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
         """Makes the data of a field for this moment. Each channel counts from when it last sent a field."""

@@ -62,10 +62,11 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F>
     type Error = EmbeddedError<T::Error>;
 
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error> {
-        let count = match self.io.read_ready() {
-            Ok(true) => self.io.read(buffer),
-            Ok(false) => Ok(0),
-            Err(error) => Err(error),
+        let mut once = || if self.io.read_ready()? { self.io.read(buffer) } else { Ok(0) };
+        let count = match once() {
+            // There may be more.
+            Err(error) if error.kind() == ErrorKind::Interrupted => once(),
+            count => count,
         };
         count.or_else(|error| match error.kind() {
             ErrorKind::Interrupted | ErrorKind::TimedOut => Ok(0),
@@ -83,7 +84,12 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F>
                 Err(error) => return Err(EmbeddedError::Driver(error)),
             }
         }
-        self.io.flush().map_err(EmbeddedError::Driver)
+        loop {
+            match self.io.flush() {
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                done => return done.map_err(EmbeddedError::Driver),
+            }
+        }
     }
 
     fn now_ms(&mut self) -> u32 {

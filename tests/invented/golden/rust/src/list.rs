@@ -312,7 +312,8 @@ impl<T: Item, const N: usize> FromIterator<T> for List<T, N> {
     }
 }
 
-/// Items that do not fit are only counted: see [`List::overflowed`].
+/// An item that does not fit marks the list as overflowed, and the rest is not read: see
+/// [`List::overflowed`].
 impl<T, const N: usize> Extend<T> for List<T, N> {
     fn extend<I: IntoIterator<Item = T>>(&mut self, items: I) {
         for item in items {

@@ -170,7 +170,7 @@ impl<'a> Packet<'a> {
     /// The first field of this type, decoded; `None` if the packet has none.
     ///
     /// A field of this type that runs past the payload is an error
-    /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), whatever its data hold.
+    /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be decoded.
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         let mut fields = self.fields();

@@ -85,7 +85,8 @@ class Events:
         elif self._cycle is None:
             limit = device.profile.limits.get("event_tick_rate")
             rate = USUAL_RATE if limit is None else limit.value
-            self._cycle = Stream(rate, [(1, None)], self._update, device.booted, device.now)
+            begin = max(device.now, device.ready_at)
+            self._cycle = Stream(rate, [(1, None)], self._update, device.booted, begin)
 
     @property
     def _working(self) -> bool:
