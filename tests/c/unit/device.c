@@ -301,6 +301,13 @@ static void closed(void) {
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
     COMES(0, 0x01, PONG);
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
+    /* So it is after a write that failed: a part may have been sent. */
+    fresh(all, 1);
+    line.deaf = true;
+    CHECK(is(mip_call_tools_ping(&device), MIP_NOT_SENT, 0, MIP_OK));
+    line.deaf = false;
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     fresh(all, 1);
     line.gone = true;
     /* Requests of others run out of time, though nothing comes. */
