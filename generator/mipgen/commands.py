@@ -137,7 +137,7 @@ def _write(options: Namespace, outputs: list[Output]) -> list[int]:
         raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
     listed = "".join(f"\n  {path}" for path in foreign)
     raise Failure(
-        "mipgen did not write these files, which its own would replace; "
+        f"these files would be replaced, and no {discovery.MANIFEST} says that mipgen wrote them; "
         f"move or delete them, or choose another --out:{listed}",
         str(options.out),
     )

@@ -198,6 +198,20 @@ def test_nothing_panics(spec: str) -> None:
     assert done.returncode != 0 and "a_panic_can_be_reached" in done.stderr
 
 
+@heavy(LONG)
+def test_the_small_forms_for_microcontrollers_find_the_same_packets() -> None:
+    """They are chosen by the width of pointers, so that no other test on this machine would run them."""
+    files = without_dependencies(rendered("invented"))
+    source = files["src/packet.rs"].decode()
+    small = source.replace('const HOST: bool = cfg!(target_pointer_width = "64");', "const HOST: bool = false;")
+    assert small != source
+    folder = WORK / "small"
+    write({**files, "src/packet.rs": small.encode()}, folder / "bare")
+    manifest = project("invented", "small", cargo_tests("packets")) / "Cargo.toml"
+    write({"Cargo.toml": manifest.read_bytes(), "src/lib.rs": b"#![no_std]\n"}, folder / "small")
+    assert "test result: ok" in passes(folder / "small", "test", "--offline", "--quiet")
+
+
 INLINED = """
 use std::hint::black_box;
 use mip_protocol::{copy, packets};
