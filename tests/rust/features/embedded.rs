@@ -331,7 +331,7 @@ fn time_goes_on_while_noise_comes_without_end() {
     assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
     assert_eq!(uart.now(), 63 + 1000 + 64); // what came before it, and what could have come in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
-    assert_eq!(uart.now(), 63 + 1114 + 63);
+    assert_eq!(uart.now(), 63 + 1115 + 63);
 }
 
 #[test]

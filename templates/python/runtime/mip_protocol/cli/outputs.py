@@ -93,7 +93,10 @@ def refuse_input(output: str, source: str) -> None:
     try:
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
         taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)
-    except (OSError, ValueError):  # one of them does not exist, or standard input or output is no file
+    except (
+        OSError,
+        ValueError,
+    ):  # one of them does not exist, or standard input or output is no file
         return
     if os.path.samestat(given, taken) and stat.S_ISREG(taken.st_mode):
         name = "standard output" if output == "-" else output

@@ -47,9 +47,7 @@ def run(options: argparse.Namespace) -> int:
         raise Failure(f"{options.output} exists; name another file, or replace it with --force")
     recording = _Recording(options)
     closed = False
-    with ports.stopping(), outputs.whole(
-        options.output, keep=True, replace=options.force
-    ) as out:
+    with ports.stopping(), outputs.whole(options.output, keep=True, replace=options.force) as out:
         try:
             recording.write(out)
         except KeyboardInterrupt:  # the usual way to end it

@@ -184,7 +184,10 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
         if replayed is not None:
             refuse_input(str(options.fault_log), replayed[1])
         try:
-            if options.fault_log.is_file() and options.fault_log.read_bytes()[:1] not in (b"", b"{"):
+            if options.fault_log.is_file() and options.fault_log.read_bytes()[:1] not in (
+                b"",
+                b"{",
+            ):
                 raise Failure(f"{options.fault_log} is no log of faults; name another file")
             file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
         except OSError as error:
