@@ -109,13 +109,12 @@ def _apart(options: Namespace, sources: list[Source]) -> None:
     read = [("--spec", path) for path in _specs(options)] + [("--target-path", path) for path in options.target_path]
     for option, path in read:
         for folder in (path, *sorted(p for p in path.glob("*") if p.is_dir())):  # any of them may be a link
-            # A specification may be a whole project, with the output in a folder of its own.
-            project = option == "--spec" and folder == path
-            if option == "--spec" and not project and not any(folder.glob("*.yaml")):
-                continue
-            real = _real(folder)
+            spec, real = option == "--spec", _real(folder)
+            if spec and folder != path and not any(folder.glob("*.yaml")):
+                continue  # a specification may be a whole project, with the output in a folder of its own
             for place, target in made.items():
-                if real in (target, target.parent) if project else target.is_relative_to(real):
+                mixed = real in (target, target.parent) if spec and folder == path else target.is_relative_to(real)
+                if mixed:
                     raise Failure(f"{place} lies in {folder}, which {option} names; choose another --out")
                 if real.is_relative_to(target):
                     raise Failure(f"{folder}, which {option} names, lies in {place}; choose another --out")

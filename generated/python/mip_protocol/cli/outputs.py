@@ -89,14 +89,11 @@ def holds_bytes(path: str | Path) -> bool:
 
 
 def refuse_input(output: str, source: str) -> None:
-    """Raises Failure if a log would be replaced by what is made of it, whatever the two are called."""
-    try:
+    """Raises Misuse if a log would be replaced by what is made of it, whatever the two are called."""
+    try:  # one of them may not exist, or standard input or output may be no file
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
         taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)
-    except (
-        OSError,
-        ValueError,
-    ):  # one of them does not exist, or standard input or output is no file
+    except (OSError, ValueError):
         return
     if os.path.samestat(given, taken) and stat.S_ISREG(taken.st_mode):
         name = "standard output" if output == "-" else output

@@ -12,7 +12,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from ..cli.outputs import refuse_input
+from ..cli import outputs
 from ..devices import DEVICES, Device
 from ..errors import Failure, Misuse
 from . import earth
@@ -182,13 +182,12 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     if options.fault_log is not None:
         replayed = re.search(r"[:,]file=([^,]+)", options.motion)
         if replayed is not None:
-            refuse_input(str(options.fault_log), replayed[1])
+            outputs.refuse_input(str(options.fault_log), replayed[1])
         try:
-            if options.fault_log.is_file() and options.fault_log.read_bytes()[:1] not in (
-                b"",
-                b"{",
-            ):
-                raise Failure(f"{options.fault_log} is no log of faults; name another file")
+            if outputs.holds_bytes(options.fault_log):
+                with options.fault_log.open("rb") as earlier:
+                    if earlier.read(1) != b"{":
+                        raise Failure(f"{options.fault_log} is no log of faults; name another file")
             file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
         except OSError as error:
             raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None
