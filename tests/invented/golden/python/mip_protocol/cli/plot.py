@@ -86,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
     with inputs.seekable(options.file) as name, read_log(inputs.existing(name)) as log:
         clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
         figure = draw(pyplot, log, curves, clock, options)
-        if form is None:
+        if options.output is None:
             pyplot.show()
             return 0
         with outputs.whole(options.output) as out:
