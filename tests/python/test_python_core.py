@@ -421,6 +421,26 @@ def test_vectors_are_made_of_any_sequence_of_numbers() -> None:
     assert type(arrays.decode(made.encode()).vectors[0]) is mip.types.Vector3f
 
 
+def test_arrays_are_made_of_any_sequence() -> None:
+    rates = [real.types.DescriptorRate(4, 10), real.types.DescriptorRate(5, 10)]
+    command = real.mip_3dm.MessageFormat.write(0x80, rates)
+    assert command.descriptors == tuple(rates) and type(command).decode(command.encode()) == command
+    config = real.gnss.RtkDongleConfig
+    for numbers in (
+        [1, 2, 3],
+        range(1, 4),
+        bytearray((1, 2, 3)),
+        b"\1\2\3",
+        array.array("H", (1, 2, 3)),
+        Array([1, 2, 3]),
+    ):
+        made = config(real.top.FunctionSelector.WRITE, 1, numbers)
+        assert made.reserved == (1, 2, 3) and config.decode(made.encode()) == made
+    for wrong in ("abc", {1, 2, 3}, {1: 2}, 5, (1, 2)):
+        with pytest.raises(real.errors.EncodeError, match="reserved"):
+            config(real.top.FunctionSelector.WRITE, 1, wrong).encode()
+
+
 # --------------------------------------------------------------------------- objects
 
 

@@ -292,9 +292,9 @@ def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> 
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
-    found = []
+    read, found = kind._read, []
     for _ in range(count):
-        value, at = kind._read(data, at)
+        value, at = read(data, at)
         found.append(value)
     return tuple(found), at
 
@@ -396,6 +396,14 @@ def vectors(value: Any, *kinds: type[Any]) -> Any:
     """Several vectors, as `vector` makes each of them."""
     found = _listed(value)
     return tuple([vector(v, *kinds) for v in found]) if isinstance(found, Sequence) else value
+
+
+def several(value: Any) -> Any:
+    """An array as the tuple that a decoder makes; anything else is returned unchanged, as by `vector`."""
+    if type(value) is tuple:
+        return value
+    found = value if isinstance(value, (bytes, bytearray)) else _listed(value)
+    return tuple(found) if isinstance(found, Sequence) else value
 
 
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
