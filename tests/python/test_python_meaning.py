@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import pytest
@@ -460,6 +461,35 @@ def test_objects_of_strange_values_have_a_text() -> None:
             for p in kind.INFO.members:
                 setattr(holder, p.attribute, value)
             assert str(holder) and holder.to_dict()
+
+
+@BOTH
+def test_values_that_cannot_be_sent_have_a_text(spec: str) -> None:
+    """The other methods refuse them as sending does."""
+    package = PACKAGES[spec]
+    chance, refused = random.Random(8), 0
+    for _, kind in package.registry.all_types():
+        for _ in range(5):
+            wrong = ("write", b"1", 1.5, {}, {1}, [], ["x"], (None,), object(), range(3), iter((1, 2)), 1 << 70, -1)
+            value = kind(**{name: chance.choice(wrong) for name in kind._MEMBERS})
+            assert str(value) and value.to_text("3dm-gx5-15" if spec == "real" else None)
+            calls: list[Any] = [value.to_dict, partial(value.to_dict, json=True)]
+            for p in kind.INFO.members:
+                calls += [partial(value.is_valid, p.name), partial(value.meaning, p.name)]
+            for call in calls:
+                try:
+                    call()
+                except package.errors.EncodeError:
+                    refused += 1
+    assert refused > 100
+
+
+def test_a_text_that_cannot_be_sent() -> None:
+    command = real.mip_3dm.MessageFormat("write", 0x80)
+    assert str(command) == repr(command)
+    for call in (command.to_dict, lambda: command.meaning("function"), command.encode):
+        with pytest.raises(real.errors.EncodeError, match="range: function is 'write', needs a FunctionSelector"):
+            call()
 
 
 def test_a_class_of_the_users_own_has_the_text_of_its_representation() -> None:

@@ -194,7 +194,7 @@ def typed(record: Any, error: EncodeError) -> EncodeError:
             if p.scalar == "bool":
                 return EncodeError(error.kind, f"{begin}True or False")
             if isinstance(p.type, type):
-                return EncodeError(error.kind, begin + _one(p.type))
+                return EncodeError(error.kind, begin + with_article(p.type))
     return error
 
 
@@ -204,7 +204,8 @@ def within(path: str, error: EncodeError) -> EncodeError:
     return EncodeError(error.kind, f"{path}{joint}{error.detail}")
 
 
-def _one(kind: type) -> str:
+def with_article(kind: type) -> str:
+    """A type with its article: "an AckCode"."""
     return f"a{'n' * (kind.__name__[0] in 'AEIOU')} {kind.__name__}"
 
 
@@ -304,7 +305,7 @@ def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> by
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     if not isinstance(value, kind):
-        raise EncodeError("range", f"{name} is {value!r}, needs {_one(kind)}")
+        raise EncodeError("range", f"{name} is {value!r}, needs {with_article(kind)}")
     try:
         return value._write()
     except EncodeError as error:
