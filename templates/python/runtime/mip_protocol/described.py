@@ -85,7 +85,9 @@ class Described:
         try:
             return all(value is not None and flag.holds(value) for flag, value in held)
         except TypeError:
-            wrong = ", ".join(dict.fromkeys(f"{flag.attribute} is {value!r}" for flag, value in held))
+            wrong = ", ".join(
+                dict.fromkeys(f"{flag.attribute} is {value!r}" for flag, value in held)
+            )
             raise EncodeError("range", f"{wrong}, needs a whole number") from None
 
     def meaning(self, name: str, device: str | None = None) -> Any:
