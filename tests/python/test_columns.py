@@ -909,6 +909,14 @@ def test_a_type_without_parameters_has_rows(library: str) -> None:
     assert both == {"ping": [True, False, True], "set_idle": [False, True, False]}
 
 
+@pytest.mark.parametrize("wrong", [4, None, int, real.types.DescriptorRate, real.types.AckCode, real.field.Command])
+def test_what_is_no_field(wrong: Any) -> None:
+    log = real.columns.read_log(b"")
+    for ask in (log.frame, log.column, log.__getitem__, log.__contains__, lambda kind: list(log.objects(kind))):
+        with pytest.raises(LookupError, match="is not a field: a column needs a class such as"):
+            ask(wrong)
+
+
 # --------------------------------------------------------------------------- documentation
 
 

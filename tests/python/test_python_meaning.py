@@ -589,3 +589,32 @@ def test_other_unknown_names() -> None:
         real.devices.by_name("gx5")
     again = pickle.loads(pickle.dumps(error.value))
     assert (str(again), again.near, again.kind) == (str(error.value), error.value.near, "unknown_name")
+
+
+@pytest.mark.parametrize("wrong", [4, None, int, real.sensor.ScaledAccel, 1.5])
+def test_what_is_no_name(wrong: Any) -> None:
+    for find, what in (
+        (real.registry.by_name, "a field"),
+        (real.registry.set_by_name, "a descriptor set"),
+        (real.devices.by_name, "a device"),
+    ):
+        with pytest.raises(real.errors.UnknownName, match=f"is not the name of {what}"):
+            find(wrong)
+
+
+def test_names_of_devices() -> None:
+    find, known = real.devices.by_name, real.devices.DEVICES
+    for name in ("GX5-45", "gx5 45", "3DM-GX5-45", "gx545", "GX5-GNSS/INS", "3dm gx5 gnss ins"):
+        assert find(name) is known["3dm-gx5-45"], name
+    for name, near in (
+        ("GX5-46", "3dm-gx5-45"),
+        ("cv7", "3dm-cv7-ar"),
+        ("3DM-GQ77", "3dm-gq7"),
+        ("3dm-gx5", "3dm-gx5-15"),
+    ):
+        with pytest.raises(real.errors.UnknownName, match=f"{name!r} is not a device; did you mean .*{near}") as found:
+            find(name)
+        assert near in found.value.near and len(found.value.near) <= 4
+    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cx5-45, .* or 3dm-gx5-45"):
+        find("45")
+    assert repr(find("gx5 15")) == "<Device 3dm-gx5-15: 3DM-GX5-15>"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
 from typing import Any, TypeVar, overload
 
@@ -217,7 +217,9 @@ class Log:
         Raises LookupError for unknown types, ValueError for other choices, MissingExtra if the library
         is missing.
         """
-        chosen = [kinds] if isinstance(kinds, (str, type)) else list(kinds)
+        chosen: list[Any] = [kinds]
+        if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)):
+            chosen = list(kinds)
         if not chosen:
             raise ValueError("a frame has one type or more")
         columns = self.columns(chosen)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
 from enum import IntEnum, IntFlag
 from functools import lru_cache
@@ -137,7 +137,7 @@ def _plain(
 def _case(p: Parameter, holder: Described) -> Parameter | None:
     """The alternative of a union that is present."""
     tag = getattr(holder, p.tag)
-    return p.cases.get(tag) if isinstance(tag, Hashable) else None
+    return p.cases.get(tag) if isinstance(tag, int) else None
 
 
 def _vector(p: Parameter, value: Any, names: bool, json: bool) -> Any:

@@ -410,8 +410,14 @@ def several(value: Any) -> Any:
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
     """An element of a matrix by row and column, counted from 0; else as of any tuple."""
     if isinstance(at, tuple):
-        row, column = at
-        at = range(len(matrix) // columns)[row] * columns + range(columns)[column]
+        rows = len(matrix) // columns
+        try:
+            row, column = at
+            at = range(rows)[row] * columns + range(columns)[column]
+        except (IndexError, TypeError, ValueError) as error:
+            kind = IndexError if isinstance(error, IndexError) else TypeError
+            needs = f"needs one of {rows} rows and one of {columns} columns, from 0"
+            raise kind(f"a matrix {needs}, not {at}; `rows` has whole rows") from None
     return tuple.__getitem__(matrix, at)
 
 
