@@ -181,4 +181,7 @@ def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:
-    return tuple(m.Word(s, n["title"].value, n.scalar("description", "")) for s, n in node.items())
+    return tuple(
+        m.Word(s, n["title"].value, n.scalar("description", ""), n.scalar("plural", ""), n.scalar("numbered", False))
+        for s, n in node.items()
+    )
