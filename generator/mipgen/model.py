@@ -240,6 +240,7 @@ class Variant:
     value: int | None = None  # the number of that value; None if it is by device
     member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
+    elements: tuple[str, ...] = ()  # of a vector, in its frame
     units: tuple[str, ...] = ()
     frame: str | None = None
     minimum: float | int | None = None
@@ -765,6 +766,7 @@ class Word:
     description: str
     plural: str = ""  # of a unit that is a word: what more than one are called
     numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
+    elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
 
 
 @dataclass(frozen=True, slots=True)

@@ -897,16 +897,16 @@ record! {
         pub height: f64,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity: types::Ned3f,
         /// Standard deviation of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned.
-        pub position_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m. Frame: ned.
+        pub position_uncertainty: types::Ned3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity_uncertainty: types::Ned3f,
     }
 }
 
@@ -920,9 +920,9 @@ constructors! {
         latitude: f64,
         longitude: f64,
         height: f64,
-        velocity: impl Into<types::Vector3f>,
-        position_uncertainty: impl Into<types::Vector3f>,
-        velocity_uncertainty: impl Into<types::Vector3f>,
+        velocity: impl Into<types::Ned3f>,
+        position_uncertainty: impl Into<types::Ned3f>,
+        velocity_uncertainty: impl Into<types::Ned3f>,
     );
 }
 
@@ -3080,7 +3080,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: Option<types::Vector3f>,
         /// Initial velocity that the user provides.
         ///
@@ -3088,7 +3089,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: Option<types::Vector3f>,
         /// Frame of the initial position and velocity.
         ///
@@ -3299,7 +3300,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub reference_coordinates: Option<types::Vector3d>,
     }
     wire 27 {
@@ -4592,7 +4594,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: types::Vector3f,
         /// Initial velocity that the user provides.
         ///
@@ -4600,7 +4603,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: types::Vector3f,
         /// Frame of the initial position and velocity.
         pub reference_frame_selector: ReferenceFrame,
@@ -4682,7 +4685,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
         /// is [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
-        /// is [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// is [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m;
+        /// frame llh.
         pub reference_coordinates: types::Vector3d,
     }
 }

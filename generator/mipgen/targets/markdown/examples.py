@@ -205,8 +205,10 @@ def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
     units = next((v.units for v in _variants(p, around) if v.units), p.units)
     model = around.model
     shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
-    if isinstance(p.element, m.Vector) and len(p.element.elements) == len(shown) <= 4:
-        shown = [f"{name} {v}" for name, v in zip(p.element.elements, shown, strict=True)]
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    elements = next((v.elements for v in _variants(p, around) if v.elements), own)
+    if len(elements) == len(shown) <= 4:
+        shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
     if len(units) == len(shown) > 1:
         return inline(", ".join(describe.measured(v, u, model) for v, u in zip(shown, units, strict=True)))
     return inline(describe.measured(", ".join(shown), units[0] if units else None, model))
