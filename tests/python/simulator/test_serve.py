@@ -270,7 +270,18 @@ def test_a_client_that_never_reads(tmp_path: Path) -> None:
                 client.wait(lambda client=client: len(client.packets) > 100)
                 assert client.parser.skipped == 0 and reader.parser.skipped == 0
             assert lazy
-    assert any("reads too slowly" in text and "packets were dropped" in text for text in server.complaints)
+    assert any(re.search(r": \d+ packets dropped, as no client read them in time$", x) for x in server.complaints)
+
+
+def test_a_terminal_that_nobody_has_open() -> None:
+    """Old data stays in it, and nobody is said to be slow."""
+    with serving(VirtualDevice(DEVICE), pty_at(""), speed=50) as server:
+        with Client(server.places[0]) as client:
+            client.send(stream(1000))
+            client.wait(lambda: client.packets)
+        until(lambda: any(c.dropped > 1 for c in server._channels))
+    (said,) = server.complaints
+    assert re.fullmatch(rf"{server.places[0]}: \d+ packets dropped, as no client read them in time", said)
 
 
 class Peer:
@@ -520,6 +531,19 @@ def test_the_program_ends_cleanly(number: int, tmp_path: Path) -> None:
         process.send_signal(number)
         assert process.communicate(timeout=PATIENCE) == ("", "") and process.returncode == 0
     assert not path.is_symlink() and not list(tmp_path.glob("*.part"))
+
+
+def test_the_program_goes_on_when_hang_ups_are_ignored() -> None:
+    """As with nohup."""
+    ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)}
+    with program("simulate", DEVICE, "--tcp", "0", **ignoring) as process:
+        assert process.stdout is not None
+        place = process.stdout.readline().strip()
+        process.send_signal(signal.SIGHUP)
+        with Client(place) as client:
+            client.ask(PING)
+        process.send_signal(signal.SIGTERM)
+        assert process.communicate(timeout=PATIENCE) == ("", "") and process.returncode == 0
 
 
 def test_faults_of_the_program(tmp_path: Path) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import queue
-import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -64,25 +63,6 @@ def reason(error: BaseException) -> str:
     return " ".join(str(said).split())
 
 
-@contextmanager
-def stopping() -> Iterator[None]:
-    """An ordinary kill and the end of the terminal are an interrupt, too."""
-
-    def interrupt(number: int, frame: object) -> None:
-        raise KeyboardInterrupt
-
-    before = {}
-    for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as of nohup
-            before[number] = signal.signal(number, interrupt)
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-
-
 def received(
     name: str, options: argparse.Namespace, seconds: float | None = None
 ) -> Iterator[bytes]:
@@ -138,4 +118,4 @@ def pieces(
     yield from scanner.flush()
 
 
-__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received", "stopping"]
+__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received"]

@@ -8,7 +8,7 @@ import time
 from typing import IO
 
 from ..errors import Failure
-from . import inputs, outputs, ports
+from . import inputs, outputs, ports, signals
 from .arguments import positive, seconds
 from .scan import Scanner
 
@@ -47,7 +47,10 @@ def run(options: argparse.Namespace) -> int:
         raise Failure(f"{options.output} exists; name another file, or replace it with --force")
     recording = _Recording(options)
     closed = False
-    with ports.stopping(), outputs.whole(options.output, keep=True, replace=options.force) as out:
+    with (
+        signals.handled(signals.interrupt),
+        outputs.whole(options.output, keep=True, replace=options.force) as out,
+    ):
         try:
             recording.write(out)
         except KeyboardInterrupt:  # the usual way to end it

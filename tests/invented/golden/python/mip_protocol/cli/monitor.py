@@ -10,7 +10,7 @@ import time
 from collections import deque
 from collections.abc import Iterator
 
-from . import inputs, ports, show
+from . import inputs, ports, show, signals
 from .arguments import add_device, device_id, hertz, seconds
 from .decoding import Found, decoded, name_of, raw_fields
 from .scan import Piece
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     end = None if options.duration is None else start + options.duration
     live = inputs.is_port(options.input)
     packets = skipped = 0
-    with ports.stopping():
+    with signals.handled(signals.interrupt):
         try:
             for piece in _pieces(options, live):
                 now = time.monotonic()
