@@ -400,8 +400,8 @@ def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Pa
         assert mip("export", mixed, *names, "-o", out[1]) == (0, "", ""), names
         assert out[1].read_bytes() != out[0].read_bytes()
     mixed.write_bytes(answers)
-    error = f"mip export: {mixed} has no data, and nothing else is named; `mip info` lists the fields that it has\n"
-    assert mip("export", mixed, "-o", out[1]) == (1, "", error)
+    what = "no data (commands and answers must be named); `mip info` lists the fields that it has"
+    assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
 
 
 # --------------------------------------------------------------------------- whole files, or none

@@ -91,7 +91,9 @@ def run(options: argparse.Namespace) -> int:
         job = module.Job(name, form, options, selection, aligned)
         if not job.types:
             what = (
-                "none of these fields" if selection.named else "no data, and nothing else is named"
+                "none of these fields"
+                if selection.named
+                else "no data (commands and answers must be named)"
             )
             raise Failure(f"{options.file} has {what}; `mip info` lists the fields that it has")
         if aligned is not None and aligned not in job.types:
