@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO
+from typing import IO, TextIO
 
 from ..errors import Failure, Misuse
 from . import signals
@@ -156,10 +156,22 @@ def refuse_input(output: str, source: str) -> None:
         raise Misuse(f"{name} is the log itself; name another file")
 
 
+def redraws(stream: TextIO) -> bool:
+    """Is it a terminal on which text can be replaced?"""
+    return stream.isatty() and os.environ.get("TERM", "dumb") not in ("", "dumb")
+
+
+def progress(text: str) -> None:
+    """Replaces the line about the progress on standard error; empty removes it."""
+    if redraws(sys.stderr):
+        sys.stderr.write(f"\r\x1b[K{text}")
+        sys.stderr.flush()
+
+
 def note(text: str) -> None:
     """Reports what was done, only on a terminal."""
     if sys.stderr.isatty():
         print(text, file=sys.stderr)
 
 
-__all__ = ["holds_bytes", "note", "refuse_input", "whole"]
+__all__ = ["holds_bytes", "note", "progress", "redraws", "refuse_input", "whole"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import queue
 import time
 from collections.abc import Iterator
@@ -49,6 +50,9 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
     """A device at a port. Raises Failure if it cannot be opened."""
     from .. import open_port
 
+    if os.path.isfile(name):
+        raise Failure(f"{name} is a file, not a port")
+
     try:
         device = open_port(name, options.baud, **more)
     except (OSError, ImportError, MipError, ValueError) as error:
@@ -60,6 +64,9 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
 def reason(error: BaseException) -> str:
     """The message of an exception, in one line."""
     said = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    number = getattr(error, "errno", None)
+    if number and str(said).startswith("could not open port"):  # pyserial: with the port once more
+        said = os.strerror(number)
     return " ".join(str(said).split())
 
 
@@ -71,8 +78,8 @@ def received(
     Raises Lost when the port closes, after all that was received.
     """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-    end = None if seconds is None else time.monotonic() + seconds
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        end = None if seconds is None else time.monotonic() + seconds
         while True:
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
             if left <= 0:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from typing import IO
 
@@ -58,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
         except ports.Lost:
             closed = True
         finally:
-            recording.clear()
+            outputs.progress("")
         if not recording.size:
             what = "was closed before it sent anything" if closed else "has sent nothing"
             kept = f"; {options.output} is as it was" if old else ""
@@ -108,13 +107,6 @@ class _Recording:
 
     def _show(self) -> None:
         now = time.monotonic()
-        if sys.stderr.isatty() and now - self._shown > 0.5:
+        if now - self._shown > 0.5:
             self._shown = now
-            sys.stderr.write(f"\r\x1b[K{self.status()}")
-            sys.stderr.flush()
-
-    def clear(self) -> None:
-        """Removes the progress from the terminal."""
-        if sys.stderr.isatty():
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()
+            outputs.progress(self.status())
