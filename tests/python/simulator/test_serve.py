@@ -20,6 +20,7 @@ from typing import Any
 import pytest
 from mip_protocol import Parser, __main__, base, devices, mip_3dm, registry, types
 from mip_protocol.devices import Device
+from mip_protocol.errors import Failure
 from mip_protocol.field import Command, Data, Response
 from mip_protocol.simulator.channel import CAPACITY, Channel
 from mip_protocol.simulator.command import start_time
@@ -252,6 +253,20 @@ def test_too_many_clients_are_turned_away(monkeypatch: pytest.MonkeyPatch) -> No
             assert second.at_end()
         first.ask(PING)
         assert "is turned away: 1 clients are connected" in server.complaints[0]
+
+
+def test_a_link_that_a_killed_simulator_has_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The system may give the same terminal again, to which the link leads then."""
+    files = os.openpty()
+    path = tmp_path / "mip"
+    path.symlink_to(os.ttyname(files[1]))
+    with pytest.raises(Failure, match="perhaps of another simulator"):
+        Pty(str(path))
+    monkeypatch.setattr(os, "openpty", lambda: files)
+    terminal = Pty(str(path))
+    assert os.readlink(path) == terminal.name
+    terminal.close()
+    assert not path.is_symlink()
 
 
 # --------------------------------------------------------------------------- slow clients

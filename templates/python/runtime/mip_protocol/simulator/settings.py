@@ -93,13 +93,14 @@ class Settings:
 
     def __init__(self, profile: Device, storage: Path | None = None) -> None:
         self._profile = profile
-        self._storage = storage
+        # Behind a link, the file itself is replaced.
+        self._storage = storage and Path(os.path.realpath(storage))
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
-        if storage is not None:
-            if storage.exists():
-                self._saved = _stored(storage, profile)
-            self._replace(storage, None)  # not only when a host saves something
+        if self._storage is not None:
+            if self._storage.exists():
+                self._saved = _stored(self._storage, profile)
+            self._replace(self._storage, None)  # not only when a host saves something
         self.restart()
 
     def restart(self) -> None:
