@@ -145,7 +145,7 @@ def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
     done = mipgen("generate", *options, cwd=tmp_path)
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (
-        "mine: error: these files would be replaced, and no .manifest says that mipgen wrote them; "
+        "mine: error: these would be replaced, and no .manifest of mipgen lists them; "
         "move or delete them, or choose another --out:\n  mine/c/README.md\n  mine/python/pyproject.toml\n"
     )
     assert tree(tmp_path) == before

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from mipgen import cli, render
+from mipgen import cli, output, render
 from support import ROOT, SPECS, model
 
 SPEC = SPECS["invented"][0]
@@ -42,7 +42,7 @@ def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixtur
     rows = made(folder, "csv/fields.csv").splitlines()
     assert len(rows) == len(model("invented").fields) + 1
     assert "0x01,0x01,tools.ping," in rows
-    assert made(folder, "csv/.manifest") == "LICENSE\nfields.csv\n"
+    assert made(folder, "csv/.manifest") == f"{output.HEADER}\nLICENSE\nfields.csv\n"
     assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *render.names()}
     capsys.readouterr()
     assert cli.main(["targets", "--target-path", str(folder)]) == 0

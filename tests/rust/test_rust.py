@@ -19,7 +19,7 @@ from typing import Any
 import everything
 import pytest
 from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
-from mipgen import render
+from mipgen import output, render
 from mipgen.subset import Selection, select
 from mipgen.targets.rust import names
 from support import ROOT, heavy, locked, need
@@ -121,7 +121,7 @@ path = "{HERE / "features" / "embedded.rs"}"
 members = ["mip-protocol"]
 """
     with locked(WORK / "awkward-features"):
-        render.write(rendered("awkward"), folder / "mip-protocol")
+        output.write(rendered("awkward"), folder / "mip-protocol")
         lock = (HERE / "features/Cargo.lock").read_bytes()
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
         yield folder
@@ -435,7 +435,7 @@ def test_the_driver_is_built_from_any_folder_and_only_once() -> None:
     generated = WORK / 'a "strange" \\ folder\'s name' / "mip-protocol"
     build = WORK / "driver of a strange folder"
     with locked(WORK / "driver"):
-        render.write(rendered("invented"), generated)
+        output.write(rendered("invented"), generated)
         driver = build_driver(generated, build)
         built = Path(driver).stat().st_mtime_ns
         assert build_driver(generated, build) == driver
