@@ -107,6 +107,14 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 
+def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
+    """JSON Schema's `$` is the end of the text; Python's is also before a line break at its end."""
+    import jsonschema
+
+    if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
+        yield jsonschema.ValidationError(f"{value!r} does not match {pattern!r}")
+
+
 def _is_integer(_: Any, value: Any) -> bool:
     """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
@@ -123,7 +131,7 @@ def _validators(over: bool) -> dict[str, Any]:
 
     types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
     extend: Any = jsonschema.validators.extend
-    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
     if over:
