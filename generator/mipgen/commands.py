@@ -290,7 +290,7 @@ def new(options: Namespace) -> int:
             (folder / path).write_bytes(file.read_bytes())
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
-    named = "" if folder == Path("spec") else f" --spec {folder}"
+    named = "" if folder == Path("spec") else f" --spec {shlex.quote(str(folder))}"
     print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
     return 0
 
@@ -309,7 +309,7 @@ def completion(options: Namespace) -> int:
 
     parser = cli.parser()
     for action in _actions(parser):
-        if action.type is Path:
+        if action.type is cli.folder:
             action.complete = shtab.DIRECTORY
         elif action.dest == "targets":
             action.complete = shtab.cmd("mipgen targets --names")

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import PurePosixPath
 from typing import Any, Protocol
 
 import yaml
@@ -82,7 +83,9 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     made = _runtime(source)
     made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
-        if file.path in made:
+        if PurePosixPath(file.path).is_absolute() or ".." in PurePosixPath(file.path).parts:
+            raise Failure(f"{file.path} is outside of its folder", f"target {source.name}")
+        if file.path in made or file.path == MANIFEST:
             raise Failure(f"{file.path} is made twice", f"target {source.name}")
         made[file.path] = templates(file.target).render(file.template, file.context, file.path).encode("utf-8")
     formatter = getattr(module, "FORMATTER", None)

@@ -99,5 +99,7 @@ class Simulation:
             elif command.functions:  # else it only acts on the setting, which is not there
                 keeper = keepers.setdefault((b.setting, b.key), command.full_name)
                 behaviors.append(replace(b, setting="" if keeper == command.full_name else keeper, key=()))
-        sources = tuple(replace(s, field=fields[s.field.full_name]) for s in self.sources if s.field.full_name in fields)
+        sources = tuple(
+            replace(s, field=fields[s.field.full_name]) for s in self.sources if s.field.full_name in fields
+        )
         return Simulation(self.quantities, self.effects, sources, tuple(behaviors))
