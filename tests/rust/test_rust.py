@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,6 +21,7 @@ import everything
 import pytest
 from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
 from mipgen import output, render
+from mipgen.resolve import load_model
 from mipgen.subset import Selection, select
 from mipgen.targets.rust import names
 from support import ROOT, heavy, locked, need
@@ -287,13 +289,18 @@ PARTS = {
 }
 
 
-@pytest.mark.parametrize("part", PARTS)
-def test_a_part_of_a_specification_builds(part: str) -> None:
+@pytest.mark.parametrize("part", [*PARTS, "no devices"])
+def test_a_part_of_a_specification_builds(part: str, tmp_path: Path) -> None:
     """Nothing warns about what only the rest would use."""
-    spec, selection = PARTS[part]
     folder = WORK / "parts" / part
+    if part in PARTS:
+        spec, selection = PARTS[part]
+        of = select(specification(spec), selection)
+    else:
+        shutil.copytree(ROOT / "tests/bad_specs/base", tmp_path / "spec", ignore=lambda *_: ["devices", "guides"])
+        of = load_model(tmp_path / "spec")
     with locked(WORK / f"part-{part}"):
-        write(without_dependencies(render.render("rust", select(specification(spec), selection))), folder)
+        write(without_dependencies(render.render("rust", of)), folder)
     for features in ("", "std,dynamic"):
         passes(folder, "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
 
