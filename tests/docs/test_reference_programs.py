@@ -283,6 +283,16 @@ def rust_bytes(data: bytes) -> str:
     return f"&[{', '.join(map(str, data))}]"
 
 
+def said_in_rust(spec: str, name: str, functions: list[str], calls: list[str]) -> str:
+    """What a program of these functions, called in this order, writes to the standard error output."""
+    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
+    target = f'[[bin]]\nname = "{name}"\npath = "{name}.rs"\ntest = false\n'
+    folder = crates.project(spec, name, target, files={f"{name}.rs": source.encode()})
+    done = crates.cargo(folder, "run", "--offline", "--quiet")
+    assert done.returncode == 0, done.stderr[-6000:]
+    return done.stderr
+
+
 @crates.group
 def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
@@ -299,10 +309,5 @@ def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> Non
             assert lines.count("}\n") == 1 or lines.endswith("}\n")
             functions.append(f"fn {name}(packet: Packet) {{\n{seen}\n}}")
             calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap());")
-    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
     spec = request.node.callspec.params["manual"]
-    target = '[[bin]]\nname = "reference"\npath = "reference.rs"\ntest = false\n'
-    folder = crates.project(spec, "reference", target, files={"reference.rs": source.encode()})
-    done = crates.cargo(folder, "run", "--offline", "--quiet")
-    assert done.returncode == 0, done.stderr[-6000:]
-    check(manual, done.stderr)
+    check(manual, said_in_rust(spec, "reference", functions, calls))
