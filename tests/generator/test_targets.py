@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from mipgen import cli, render
+from mipgen import cli, discovery, output, render
 from support import ROOT, SPECS, all_fields, model, parse_as, tree
 
 
@@ -65,7 +65,7 @@ def test_stale_files_go_and_others_stay(first: Path, tmp_path: Path) -> None:
     shutil.copytree(first, out)
     old = out / "python/mip_protocol/old.py"
     old.write_text("gone\n")
-    manifest = out / "python" / render.MANIFEST
+    manifest = out / "python" / discovery.MANIFEST
     manifest.write_text(manifest.read_text() + "mip_protocol/old.py\n")
     mine = out / "python/mine.txt"
     mine.write_text("kept\n")
@@ -113,9 +113,8 @@ def test_every_folder_stands_alone(first: Path) -> None:
         folder = first / name
         assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
         assert (folder / "README.md").is_file()
-        assert (folder / render.MANIFEST).read_text().splitlines() == sorted(
-            p for p in tree(folder) if p != render.MANIFEST
-        )
+        listed = output.manifest(p for p in tree(folder) if p != discovery.MANIFEST)
+        assert (folder / discovery.MANIFEST).read_bytes() == listed
 
 
 def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

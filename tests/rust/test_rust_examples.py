@@ -17,7 +17,7 @@ import everything
 import pytest
 from crates import WORK, passes, project, rendered, write
 from mipgen import model as m
-from mipgen import render
+from mipgen import output
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
@@ -135,7 +135,7 @@ def crate() -> Path:
     """The crate in a workspace of its own, with the programs' dependencies, pinned in examples/Cargo.lock."""
     folder = WORK / "real" / "examples-of-crate"
     with locked(WORK / "real-examples-of-crate"):
-        render.write(rendered("real"), folder)
+        output.write(rendered("real"), folder)
         manifest = rendered("real")["Cargo.toml"] + b"\n[workspace]\n"
         write({"Cargo.toml": manifest, "Cargo.lock": (HERE / "examples/Cargo.lock").read_bytes()}, folder)
     return folder
