@@ -62,17 +62,17 @@ def test_a_second_run_touches_nothing(first: Path) -> None:
 
 def test_stale_files_go_and_others_stay(first: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    shutil.copytree(first, out)
+    shutil.copytree(first / "python", out / "python")
     old = out / "python/mip_protocol/old.py"
     old.write_text("gone\n")
     manifest = out / "python" / discovery.MANIFEST
     manifest.write_text(manifest.read_text() + "mip_protocol/old.py\n")
     mine = out / "python/mine.txt"
     mine.write_text("kept\n")
-    done = mipgen("check", "--out", str(out))
+    done = mipgen("check", "--out", str(out), "--target", "python")
     assert done.returncode == 1
     assert "old.py: error: stale" in done.stderr and "mine.txt: error: untracked" in done.stderr
-    assert mipgen("generate", "--out", str(out)).returncode == 0
+    assert mipgen("generate", "--out", str(out), "--target", "python").returncode == 0
     assert not old.exists() and mine.read_text() == "kept\n"
 
 
