@@ -3,14 +3,6 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [];
-    }
     #[cfg(feature = "base")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
@@ -2670,6 +2662,14 @@ registry! {
         SharedExternalTimeDelta(crate::shared::ExternalTimeDelta):
             Data 0xFF, 0xD8, of 1,
             "shared.external_time_delta", "External time delta",
+            [];
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
             [];
     }
 }

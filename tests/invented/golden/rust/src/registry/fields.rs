@@ -3,14 +3,6 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [];
-    }
     #[cfg(feature = "tools")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
@@ -292,6 +284,14 @@ registry! {
         SharedTimestamp(crate::shared::Timestamp):
             Data 0xFF, 0xD3, of 1,
             "shared.timestamp", "Timestamp",
+            [];
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
             [];
     }
 }
