@@ -72,25 +72,16 @@ impl<R: Read> PacketReader<R> {
     /// # Errors
     ///
     /// The errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).
-    #[inline]
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
-        // The usual case first: a packet is next.
-        if self.parser.is_empty() {
-            if let Candidate::Whole(size) =
-                judge(self.chunk.get(self.start..self.end).unwrap_or_default())
-            {
-                let first = self.start;
-                self.start = first.saturating_add(size);
-                return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
-            }
-        }
-        self.search()
-    }
-
-    /// Searches for a packet that is not the next thing.
-    fn search(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let rest = self.chunk.get(self.start..self.end).unwrap_or_default();
+            if self.parser.is_empty() {
+                if let Candidate::Whole(size) = judge(rest) {
+                    let first = self.start;
+                    self.start = first.saturating_add(size);
+                    return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
+                }
+            }
             let (size, left) = self.parser.step(rest);
             self.start = self.end.saturating_sub(left);
             if self.parser.is_done() {
