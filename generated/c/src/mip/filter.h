@@ -1505,11 +1505,11 @@ struct mip_filter_external_gnss_update {
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
-    /** Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity[3];
-    /** Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned. */
+    /** Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. */
     float position_uncertainty[3];
-    /** Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity_uncertainty[3];
 };
 
@@ -6562,13 +6562,15 @@ struct mip_filter_initialization_config {
     /**
      * Initial position that the user provides. Elements: x, y, z. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+     * height; unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /**
@@ -6678,13 +6680,15 @@ struct mip_filter_initialization_config_response {
     /**
      * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /** Frame of the initial position and velocity. A value of enum mip_filter_reference_frame. */
@@ -7108,7 +7112,8 @@ struct mip_filter_relative_position_config {
     /**
      * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };
@@ -7193,7 +7198,8 @@ struct mip_filter_relative_position_config_response {
     /**
      * Reference point. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };
