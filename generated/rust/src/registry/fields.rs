@@ -3,17 +3,6 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [], {
-                "command";
-                "code";
-            };
-    }
     #[cfg(feature = "base")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
@@ -6007,6 +5996,17 @@ registry! {
             [], {
                 "dt_nanos" in ["ns"];
                 "valid_flags";
+            };
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
+            [], {
+                "command";
+                "code";
             };
     }
 }
