@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import index
 from typing import Any, NamedTuple
 
 from .checks import checksum
@@ -28,8 +29,6 @@ __all__ = [
 
 def as_bytes(data: Any) -> bytes:
     """The bytes of any buffer. Raises TypeError for text and for lists of numbers, with the remedy."""
-    if type(data) is bytes:
-        return data
     try:
         return bytes(memoryview(data))
     except TypeError:
@@ -84,7 +83,7 @@ class Packet:
 
     def __init__(self, data: bytes | bytearray | memoryview) -> None:
         """Raises PacketError of kind `sync`, `length` or `checksum`."""
-        data = as_bytes(data)  # a bytearray may change later
+        data = data if type(data) is bytes else as_bytes(data)  # a bytearray may change later
         if data[:2] != SYNC:
             raise PacketError("sync", f"begins with {data[:2].hex() or 'nothing'}, not with 7565")
         if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] == 0:
@@ -164,20 +163,27 @@ class PacketBuilder:
     """
 
     def __init__(self, set: int) -> None:
-        if not hasattr(set, "__index__") or not 1 <= set <= 254:
+        try:
+            self._set = index(set)
+        except TypeError:
+            self._set = 0
+        if not 1 <= self._set <= 254:
             raise EncodeError("range", f"{set!r} is not a descriptor set; use 1 to 254")
-        self._set = set
         self._payload = bytearray()
 
     def add(self, descriptor: int, data: bytes | bytearray | memoryview = b"") -> PacketBuilder:
         """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not fit."""
-        if not hasattr(descriptor, "__index__") or not 0 <= descriptor <= 255:
+        try:
+            number = index(descriptor)
+        except TypeError:
+            number = -1
+        if not 0 <= number <= 255:
             raise EncodeError("range", f"{descriptor!r} is not a descriptor; use 0 to 255")
-        data = as_bytes(data)
+        data = data if type(data) is bytes else as_bytes(data)
         size = len(data) + 2
         if size > 255 or len(self._payload) + size > MAX_PAYLOAD:
             raise EncodeError("length", f"{size} bytes more do not fit into a payload of 255")
-        self._payload += bytes((size, descriptor)) + data
+        self._payload += bytes((size, number)) + data
         return self
 
     def build(self) -> Packet:

@@ -165,12 +165,12 @@ class Field(Structure):
     @classmethod
     def decode(cls: type[F], data: bytes | bytearray | memoryview) -> F:
         """The values of a field's data. Raises DecodeError; bytes left over are not an error."""
-        return cls._read(as_bytes(data), 0)[0]
+        return cls._read(data if type(data) is bytes else as_bytes(data), 0)[0]
 
     @classmethod
     def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
         """The values, and how many bytes are left over (newer devices send more)."""
-        raw = as_bytes(data)
+        raw = data if type(data) is bytes else as_bytes(data)
         value, end = cls._read(raw, 0)
         return value, len(raw) - end
 
