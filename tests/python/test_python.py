@@ -206,6 +206,16 @@ def test_arguments_of_a_wrong_type() -> None:
         real.device.open_port("localhost:1", "115200")
 
 
+def test_a_port_may_be_a_path() -> None:
+    ours, theirs = os.openpty()
+    try:
+        real.device.open_port(Path(os.ttyname(theirs))).close()
+        assert real.port.address(Path("localhost:1")) == ("localhost", 1)
+    finally:
+        os.close(ours)
+        os.close(theirs)
+
+
 def test_errors_can_be_pickled() -> None:
     """A pool of processes hands them over so."""
     code = """
