@@ -6529,7 +6529,10 @@ struct mip_3dm_device_status_basic_response {
     uint32_t system_timer;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
@@ -6581,7 +6584,10 @@ struct mip_3dm_device_status_basic_stateless_response {
     uint32_t system_timer;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
@@ -6657,7 +6663,10 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t imu_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
@@ -6750,7 +6759,10 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t gnss_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
@@ -6850,7 +6862,10 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     mip_bool receiver_init_failed;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
@@ -6950,7 +6965,10 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t gnss_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
@@ -7040,7 +7058,10 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t imu_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
@@ -7130,7 +7151,10 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90

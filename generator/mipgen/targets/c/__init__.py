@@ -150,6 +150,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "program": lambda f: programs.program(f, model.layouts(f), model.sizes(f)),
         "numbers_only": lambda f: programs.numbers(f, model.layouts(f)),
         "direct": direct.direct,
+        "layouts": lambda f: len(model.layouts(f)) > 1,
         # tables
         "required": tables.required,
         "entries": lambda of: list(tables.entries(of)),

@@ -52,7 +52,7 @@ typedef enum mip_error {
     MIP_ERROR_SET,
     /** The descriptor of the field is not that of the type as which it is to be decoded. */
     MIP_ERROR_DESCRIPTOR,
-    /** The data has another layout of the descriptor than the caller expects. */
+    /** The data has another layout of the descriptor than that as which it is to be decoded. */
     MIP_ERROR_LAYOUT
 } mip_error;
 

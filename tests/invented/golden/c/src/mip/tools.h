@@ -650,7 +650,10 @@ struct mip_tools_status_short {
     uint32_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
@@ -694,7 +697,10 @@ struct mip_tools_status_long {
     uint64_t uptime;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_LONG 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
@@ -735,7 +741,10 @@ struct mip_tools_status_old {
     uint32_t uptime;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_OLD 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
@@ -780,7 +789,10 @@ struct mip_tools_full {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_FULL 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_FULL_DESCRIPTOR 0x90
