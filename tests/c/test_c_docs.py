@@ -23,7 +23,7 @@ TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
     r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
-    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
 

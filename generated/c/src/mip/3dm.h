@@ -38,7 +38,7 @@ struct mip_3dm_poll_entry {
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
-enum mip_3dm_factory_streaming_action {
+enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
     /** The formats are replaced. */
     MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE = 0,
     /** The support fields are merged into the formats; the order may change. */
@@ -55,7 +55,7 @@ MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
-enum mip_3dm_constellation_id {
+enum mip_3dm_constellation_id MIP_ENUM_8 {
     /** GPS, satellites G1 to G32. */
     MIP_3DM_CONSTELLATION_ID_GPS = 0,
     /** SBAS, satellites S120 to S158. */
@@ -115,7 +115,7 @@ typedef uint16_t mip_3dm_sbas_options;
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
-enum mip_3dm_assisted_fix_option {
+enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
     /** The receiver starts without it. */
     MIP_3DM_ASSISTED_FIX_OPTION_NONE = 0,
     /** The receiver starts from its last fix. */
@@ -129,7 +129,7 @@ MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
-enum mip_3dm_pps_source {
+enum mip_3dm_pps_source MIP_ENUM_8 {
     /** No pulse. */
     MIP_3DM_PPS_SOURCE_DISABLED = 0,
     /** From GNSS receiver 1. */
@@ -149,7 +149,7 @@ MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-enum mip_3dm_event_support_query {
+enum mip_3dm_event_support_query MIP_ENUM_8 {
     /** Triggers. */
     MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES = 1,
     /** Actions. */
@@ -199,7 +199,7 @@ struct mip_3dm_event_action_status_entry {
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-enum mip_3dm_odometer_mode {
+enum mip_3dm_odometer_mode MIP_ENUM_8 {
     /** Not used. */
     MIP_3DM_ODOMETER_MODE_DISABLED = 0,
     /** Quadrature encoder on two pins. */
@@ -213,7 +213,7 @@ MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
-enum mip_3dm_sensor_range_type {
+enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     /** All sensors; for save, load and default only. */
     MIP_3DM_SENSOR_RANGE_TYPE_ALL = 0,
     /** Accelerometer. */
@@ -245,7 +245,7 @@ struct mip_3dm_sensor_range_entry {
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
-enum mip_3dm_device_status_selector {
+enum mip_3dm_device_status_selector MIP_ENUM_8 {
     /** State and timer. */
     MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC = 1,
     /** State and timer with the counters of streams and port. */
@@ -259,7 +259,7 @@ MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  */
-enum mip_3dm_legacy_data_stream {
+enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
     /** All streams; for save, load and default only. */
     MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS = 0,
     /** Sensor data (0x80). */

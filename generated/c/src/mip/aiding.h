@@ -25,7 +25,7 @@ extern "C" {
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  */
-enum mip_aiding_frame_format {
+enum mip_aiding_frame_format MIP_ENUM_8 {
     /** Euler angles: roll, pitch, yaw. */
     MIP_AIDING_FRAME_FORMAT_EULER = 1,
     /** Quaternion: w, x, y, z. */
@@ -39,7 +39,7 @@ MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
-enum mip_aiding_echo_mode {
+enum mip_aiding_echo_mode MIP_ENUM_8 {
     /** No acknowledge. */
     MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
     /** Acknowledge as for any command. */
@@ -51,7 +51,7 @@ enum mip_aiding_echo_mode {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 /** Clock of the time of a measurement. */
-enum mip_aiding_timebase {
+enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
     MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE = 1,
     /** External clock, with which the PPS synchronizes the device. */

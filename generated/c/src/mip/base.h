@@ -44,7 +44,7 @@ struct mip_base_device_info {
 };
 
 /** The part of the GPS time that a value holds. */
-enum mip_base_gps_time_field {
+enum mip_base_gps_time_field MIP_ENUM_8 {
     /** Week number. */
     MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER = 1,
     /** Time of week in whole seconds. */

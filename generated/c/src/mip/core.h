@@ -59,6 +59,25 @@ typedef enum mip_error {
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
 MIP_API const char *mip_error_name(mip_error error);
 
+#ifdef __cplusplus
+/** What only C++ reads. */
+#define MIP_IN_CPP(text) text
+#else
+#define MIP_IN_CPP(text)
+#endif
+
+/* These follow the name of an enumeration. In C++, it then has as many bits as on the wire, and
+ * holds values without a name, too; in C, the compiler chooses. */
+
+/** An enumeration of 8 bits. */
+#define MIP_ENUM_8 MIP_IN_CPP( : uint8_t)
+/** An enumeration of 16 bits. */
+#define MIP_ENUM_16 MIP_IN_CPP( : uint16_t)
+/** An enumeration of 32 bits. */
+#define MIP_ENUM_32 MIP_IN_CPP( : uint32_t)
+/** An enumeration of 64 bits. */
+#define MIP_ENUM_64 MIP_IN_CPP( : uint64_t)
+
 /** Zero is false, anything else is true; bytes other than 0 and 1 are preserved. */
 typedef uint8_t mip_bool;
 

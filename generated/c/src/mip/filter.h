@@ -28,7 +28,7 @@ extern "C" {
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
-enum mip_filter_dynamics_mode {
+enum mip_filter_dynamics_mode MIP_ENUM_8 {
     /** Carried by hand. */
     MIP_FILTER_DYNAMICS_MODE_PORTABLE = 1,
     /** Ground vehicle. */
@@ -63,7 +63,7 @@ typedef uint16_t mip_filter_estimated_states;
 /** Bit 6. Estimate the soft iron matrix of the magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
 /** Where the filter takes GNSS data from. */
-enum mip_filter_gnss_aiding_source {
+enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     /** All internal receivers. */
     MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
     /** GNSS measurements that the user sends. */
@@ -77,7 +77,7 @@ enum mip_filter_gnss_aiding_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
 /** The north that a heading refers to. */
-enum mip_filter_heading_type {
+enum mip_filter_heading_type MIP_ENUM_8 {
     /** True north. */
     MIP_FILTER_HEADING_TYPE_TRUE_HEADING = 1,
     /** Magnetic north. */
@@ -93,7 +93,7 @@ MIP_API const char *mip_filter_heading_type_name(uint8_t value);
  * - 3dm-gx5-45: (0x0D, 0x18)
  * - mip-sdk-4: Heading Source (0x0D,0x18)
  */
-enum mip_filter_heading_update_source {
+enum mip_filter_heading_update_source MIP_ENUM_8 {
     /** No heading updates. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_NONE = 0,
     /** The magnetometer. */
@@ -129,7 +129,7 @@ typedef uint16_t mip_filter_measurement_flags;
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
 /** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
-enum mip_filter_mag_parameter_source {
+enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     /** No source. Uncertain: What the device does without a source. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
     /** The World Magnetic Model, at the estimated position. */
@@ -141,7 +141,7 @@ enum mip_filter_mag_parameter_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 /** How measurements are weighted whose magnitude is not as expected. */
-enum mip_filter_adaptive_measurement_selector {
+enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
     /** Adapted by the limits that the command gives. */
@@ -157,7 +157,7 @@ MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value)
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
-enum mip_filter_altitude_aiding_source {
+enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE = 0,
     /** The pressure sensor. */
@@ -167,7 +167,7 @@ enum mip_filter_altitude_aiding_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
 /** What aids pitch and roll. */
-enum mip_filter_pitch_roll_aiding_source {
+enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE = 0,
     /** The measured gravity vector. */
@@ -208,7 +208,7 @@ MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_accel_constraint {
+enum mip_filter_accel_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ACCEL_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -222,7 +222,7 @@ MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_velocity_constraint {
+enum mip_filter_velocity_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_VELOCITY_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -238,7 +238,7 @@ MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_angular_constraint {
+enum mip_filter_angular_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ANGULAR_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -248,7 +248,7 @@ enum mip_filter_angular_constraint {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device determines automatically and which the user provides. */
-enum mip_filter_initial_condition_source {
+enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /**
      * Position, velocity and attitude are automatic. Full name: auto_position_velocity_attitude.
      */
@@ -280,7 +280,7 @@ typedef uint8_t mip_filter_heading_alignment;
 /** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 /** Frame in which a position is given. */
-enum mip_filter_reference_frame {
+enum mip_filter_reference_frame MIP_ENUM_8 {
     /** Earth-centred, Earth-fixed coordinates (WGS84). */
     MIP_FILTER_REFERENCE_FRAME_ECEF = 1,
     /** Latitude, longitude and height above the ellipsoid (WGS84). */
@@ -290,7 +290,7 @@ enum mip_filter_reference_frame {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
 /** How strongly the filter adapts to inconsistent measurements. */
-enum mip_filter_adaptive_level {
+enum mip_filter_adaptive_level MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
     /** Little adaptation. */
@@ -304,7 +304,7 @@ enum mip_filter_adaptive_level {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 /** Where the reference of relative positions comes from. */
-enum mip_filter_relative_position_source {
+enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
     /** The coordinates that the command gives. */
@@ -314,7 +314,7 @@ enum mip_filter_relative_position_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 /** A point of reference. */
-enum mip_filter_reference_point {
+enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
 };

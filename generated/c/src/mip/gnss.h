@@ -64,7 +64,7 @@ typedef uint8_t mip_gnss_beidou_signals;
 /** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
 /** How SPARTN corrections are received. */
-enum mip_gnss_spartn_connection {
+enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
     MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
     /** Over a network. */

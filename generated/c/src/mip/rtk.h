@@ -26,7 +26,7 @@ extern "C" {
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
-enum mip_rtk_connected_device {
+enum mip_rtk_connected_device MIP_ENUM_8 {
     /** Any device. */
     MIP_RTK_CONNECTED_DEVICE_GENERIC = 0,
     /** 3DM-GQ7. */
@@ -50,7 +50,7 @@ typedef uint8_t mip_rtk_service_flags;
  *
  * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
  */
-enum mip_rtk_storage_medium {
+enum mip_rtk_storage_medium MIP_ENUM_8 {
     /** External flash memory. */
     MIP_RTK_STORAGE_MEDIUM_EXTERNAL_FLASH = 0,
     /** SD card. */
@@ -64,7 +64,7 @@ MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
  *
  * - mip-sdk-4: Led Control (0x0F,0x21)
  */
-enum mip_rtk_led_action {
+enum mip_rtk_led_action MIP_ENUM_8 {
     /** No pattern. */
     MIP_RTK_LED_ACTION_NONE = 0,
     /** Flashing. */

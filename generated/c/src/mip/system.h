@@ -36,7 +36,7 @@ typedef uint32_t mip_system_comm_protocols;
 /** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
 /** Which part of the device the host communicates with, and by which protocol. */
-enum mip_system_protocol_mode {
+enum mip_system_protocol_mode MIP_ENUM_8 {
     /** The device itself, MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
     /** The internal inertial sensor, MIP. */

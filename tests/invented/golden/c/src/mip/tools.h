@@ -22,7 +22,7 @@ extern "C" {
 #define MIP_TOOLS_SET 0x01
 
 /** Which member the union has. */
-enum mip_tools_shape {
+enum mip_tools_shape MIP_ENUM_8 {
     /** The value `none`. */
     MIP_TOOLS_SHAPE_NONE = 0,
     /** The value `circle`. */
@@ -38,7 +38,7 @@ enum mip_tools_shape {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_shape_name(uint8_t value);
 /** How a circle is filled. */
-enum mip_tools_fill {
+enum mip_tools_fill MIP_ENUM_8 {
     /** The value `empty`. */
     MIP_TOOLS_FILL_EMPTY = 0,
     /** The value `solid`. */
@@ -86,7 +86,7 @@ struct mip_tools_path {
 };
 
 /** What drives a pin. */
-enum mip_tools_drive {
+enum mip_tools_drive MIP_ENUM_8 {
     /** The value `off`. */
     MIP_TOOLS_DRIVE_OFF = 0,
     /** The value `pulse`. */
@@ -98,7 +98,7 @@ enum mip_tools_drive {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
 /** Of a pulse. Full name: pulse_use. */
-enum mip_tools_pulse {
+enum mip_tools_pulse MIP_ENUM_8 {
     /** The value `input`. */
     MIP_TOOLS_PULSE_INPUT = 1,
     /** The value `output`. */
@@ -108,7 +108,7 @@ enum mip_tools_pulse {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
 /** Of a serial line. */
-enum mip_tools_serial_use {
+enum mip_tools_serial_use MIP_ENUM_8 {
     /** The value `receive`. */
     MIP_TOOLS_SERIAL_USE_RECEIVE = 1,
     /** The value `transmit`. */
