@@ -18,6 +18,9 @@ uint64_t mip_names_number(const struct mip_names *names, size_t index) {
     uint16_t half = 0;
     uint32_t word = 0;
     uint64_t twice = 0;
+    if (names->numbers == NULL) { /* a bitfield */
+        return 0;
+    }
     switch (names->size) {
     case 1:
         memcpy(&byte, at, sizeof(byte));
