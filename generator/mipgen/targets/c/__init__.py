@@ -170,6 +170,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "present_doc": docs.present,
         "type_doc": docs.type,
         "member_doc": docs.member,
+        "arguments_doc": docs.arguments,
         "case_doc": docs.case,
         "value_doc": docs.value,
         "bits_doc": docs.bits,
