@@ -142,8 +142,10 @@ def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> Non
         fetched = fetched.replace(address, archive.as_uri())
     build, prefix = tmp_path / "build", tmp_path / "prefix"
     lines = fetched if how == "fetched" else subdirectory
-    cmake(user(project, lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
+    other = "add_library(mip INTERFACE)\n"  # what the vendor's SDK calls its target
+    cmake(user(project, other + lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
     taste(build / "main")
+    assert "-isystem" in (build / "build.ninja").read_text("utf-8")
     run(need("cmake"), "--install", build)
     assert installed(prefix) == ["bin/main"]
     if how == "subdirectory":
