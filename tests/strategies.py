@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+import os
+import sys
+from pathlib import Path
 from typing import Any
 
+import hypothesis
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 from mipgen import codec
 from mipgen import model as m
+from support import BUILD
 
 Values = dict[str, Any]
 
@@ -121,14 +128,28 @@ def _sized(op: m.Operation) -> bool:
 
 #: What was drawn: several tests ask for the same, and drawing takes longer than most of them.
 _drawn: dict[tuple[int, int], tuple[m.Field, list[Values]]] = {}
+#: Between runs and processes it is kept here, by all that it depends on.
+KEPT = BUILD / "drawn"
+HOW = f"{hypothesis.__version__} {sys.version} ".encode() + Path(__file__).read_bytes()
 
 
 def drawn(f: m.Field, examples: int) -> list[Values]:
     """Values of a field, the same in every run."""
     key = (id(f), examples)
     if key not in _drawn:
-        _drawn[key] = (f, _draw(f, examples))
+        _drawn[key] = (f, _kept(f, examples))
     return _drawn[key][1]
+
+
+def _kept(f: m.Field, examples: int) -> list[Values]:
+    path = KEPT / hashlib.sha256(HOW + f"{examples} {f!r}".encode()).hexdigest()
+    if not path.is_file():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part = path.with_suffix(f".{os.getpid()}")
+        part.write_text(json.dumps(_draw(f, examples)))
+        part.replace(path)
+    found: list[Values] = json.loads(path.read_text())
+    return found
 
 
 def _draw(f: m.Field, examples: int) -> list[Values]:

@@ -696,6 +696,26 @@ types:
         type: f8
       - id: z
         type: f8
+  ned3f:
+    -kind: vector
+    doc: Three floats in the NED frame.
+    seq:
+      - id: north
+        type: f4
+      - id: east
+        type: f4
+      - id: down
+        type: f4
+  ned3d:
+    -kind: vector
+    doc: Three doubles in the NED frame.
+    seq:
+      - id: north
+        type: f8
+      - id: east
+        type: f8
+      - id: down
+        type: f8
   matrix3f:
     -kind: vector
     doc: Three by three floats in row-major order.
@@ -4668,13 +4688,13 @@ types:
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: velocity
-        type: vector3f
+        type: ned3f
         doc: "Velocity. Unit: m/s. Frame: ned."
       - id: position_uncertainty
-        type: vector3f
+        type: ned3f
         doc: "Standard deviation of the position. Unit: m. Frame: ned."
       - id: velocity_uncertainty
-        type: vector3f
+        type: ned3f
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
@@ -6310,8 +6330,8 @@ types:
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
       - id: uncertainty
-        type: vector3f
-        doc: "Uncertainty along north, east and down. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.latitude`, y: `valid_flags.longitude`, z: `valid_flags.height`."
+        type: ned3f
+        doc: "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.latitude`, east: `valid_flags.longitude`, down: `valid_flags.height`."
       - id: valid_flags
         type: aiding_llh_axis_flags
         doc: Which coordinates are valid.
@@ -6364,11 +6384,11 @@ types:
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
-        type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        type: ned3f
+        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: uncertainty
-        type: vector3f
-        doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        type: ned3f
+        doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
         doc: Which axes are valid.
@@ -7301,7 +7321,7 @@ types:
     doc: "NED relative position. Estimated position relative to the point that `filter_relative_position_config` sets."
     seq:
       - id: relative_position
-        type: vector3d
+        type: ned3d
         doc: "Relative position. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
@@ -7484,7 +7504,7 @@ types:
     doc: NED velocity. GNSS velocity in the local level frame.
     seq:
       - id: velocity
-        type: vector3f
+        type: ned3f
         doc: "Velocity. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
       - id: speed
         type: f4

@@ -1778,9 +1778,9 @@ field(0x0D, { descriptor = 0x16, name = "filter.external_gnss_update", role = "c
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x0D, { descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
@@ -2052,8 +2052,8 @@ field(0x0D, { descriptor = 0x52, name = "filter.initialization_config", role = "
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     }) })
 field(0x0D, { descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
@@ -2079,7 +2079,7 @@ field(0x0D, { descriptor = 0x55, name = "filter.relative_position_config", role 
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
     }) })
 field(0x0D, { descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
     doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
@@ -2373,8 +2373,8 @@ field(0x0D, { descriptor = 0xD2, name = "filter.initialization_config_response",
       { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." },
       { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." },
       { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." },
-      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
     }) })
 field(0x0D, { descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
@@ -2397,7 +2397,7 @@ field(0x0D, { descriptor = 0xD5, name = "filter.relative_position_config_respons
     rows = rows("filter.relative_position_config_response", {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." },
-      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
     }) })
 field(0x0D, { descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", role = "response", title = "Reference point lever arm response",
     doc = "", least = 13,
@@ -2675,7 +2675,7 @@ field(0x13, { descriptor = 0x22, name = "aiding.llh_position", role = "command",
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.latitude is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty along north, east and down. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: valid_flags.latitude, y: valid_flags.longitude, z: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
     }) })
 field(0x13, { descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
@@ -2704,8 +2704,8 @@ field(0x13, { descriptor = 0x29, name = "aiding.ned_velocity", role = "command",
     rows = rows("aiding.ned_velocity", {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     }) })
 field(0x13, { descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
@@ -3311,7 +3311,7 @@ field(0x82, { descriptor = 0x42, name = "filter_data.ned_relative_position", rol
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = rows("filter_data.ned_relative_position", {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
@@ -3413,7 +3413,7 @@ field(0x91, { descriptor = 0x05, name = "gnss_1.ned_velocity", role = "data", ti
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = rows("gnss_1.ned_velocity", {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if valid_flags.heading is set." },

@@ -240,6 +240,7 @@ class Variant:
     value: int | None = None  # the number of that value; None if it is by device
     member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
+    elements: tuple[str, ...] = ()  # of a vector, in its frame
     units: tuple[str, ...] = ()
     frame: str | None = None
     minimum: float | int | None = None
@@ -763,6 +764,7 @@ class Word:
     symbol: str
     title: str
     description: str
+    elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,13 +10,14 @@ import sys
 import textwrap
 from pathlib import Path
 
+import crates
 import pytest
 from mipgen import codec
 from mipgen.guided import Guide, Sequence
 from mipgen.typical import Typical
 from reference import Manual, cells, path_of, prose, tables, words
 from support import BUILD, SPECS, need
-from test_reference_programs import C_HEAD, PY_HEAD, RUST_HEAD, reply, run, rust_bytes
+from test_reference_programs import C_HEAD, PY_HEAD, reply, run, rust_bytes, said_in_rust
 
 Play = tuple[str, Guide, Sequence]
 
@@ -232,7 +233,8 @@ def test_guides_in_python(manual: Manual, generated: Path, tmp_path: Path) -> No
     )  # fmt: skip
 
 
-def test_guides_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None:
+@crates.group
+def test_guides_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
     for play in plays(manual):
         needs, body = program(manual, play, "rust")
@@ -240,18 +242,5 @@ def test_guides_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None
         functions.append(f"fn {play[0]}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
         answers = ", ".join(rust_bytes(s.answer) for s in play[2].steps)
         calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
-    source = tmp_path / "guides.rs"
-    source.write_text("\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"]), "utf-8")
-    features = re.findall(
-        r"^([\w-]+) = \[", (generated / "rust/Cargo.toml").read_text("utf-8").partition("[features]")[2], re.M
-    )
-    left_out = ("defmt", "serde", "embedded-io", "embedded-io-async", "core-error", "default")
-    flags = [flag for x in features if x not in left_out for flag in ("--cfg", f'feature="{x}"')]
-    rustc = [need("rustc"), "--edition", "2021", "-C", "debuginfo=0", "--cap-lints", "allow"]
-    library = tmp_path / "libmip_protocol.rlib"
-    crate = ["--crate-name", "mip_protocol", "--crate-type", "lib", *flags, generated / "rust/src/lib.rs"]
-    run(*rustc, *crate, "-o", library)
-    run(*rustc, "--extern", f"mip_protocol={library}", source, "-o", tmp_path / "guides")
-    done = subprocess.run([tmp_path / "guides"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-3000:]
-    check(manual, done.stderr)
+    spec = request.node.callspec.params["manual"]
+    check(manual, said_in_rust(spec, "guides", functions, calls))

@@ -228,6 +228,14 @@ def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
     assert said == ["On the <3DM-GX5-15> and <3DM-GX5-35>: valid if <valid_flags.time_initialized> is set."]
 
 
+def test_elements_of_a_vector_in_another_frame() -> None:
+    assert of("gnss_1.ned_velocity:velocity", REAL)["elements"] == "Elements: north, east, down."
+    assert variants("filter.initialization_config:initial_position", REAL) == [
+        "If <reference_frame_selector> is <ecef>: unit m; frame <ecef>.",
+        "If <reference_frame_selector> is <llh>: elements latitude, longitude, height; unit deg, deg, m; frame <llh>.",
+    ]
+
+
 def test_variants_by_value_are_told_one_by_one() -> None:
     f = INVENTED.field("tools.pin")
     assert f is not None

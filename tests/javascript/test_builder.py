@@ -207,6 +207,23 @@ def test_numbers_in_hexadecimal_follow_the_set(own: browser.Page) -> None:
     assert "is not a whole number" in own.run("document.querySelector('.mip-wrong').textContent")
 
 
+def test_elements_and_units_follow_the_frame(own: browser.Page) -> None:
+    start(own, "filter.initialization_config")
+    labels = (
+        "[...document.querySelectorAll('fieldset')].find((one) => one.querySelector('legend').textContent"
+        ".startsWith('initial_position')).innerText.split(/\\s+/)"
+    )
+    shown = own.run(labels)
+    assert {"latitude", "longitude", "height", "deg", "m"} <= {*shown} and "x" not in shown
+    own.run(
+        "(() => { const all = [...document.querySelectorAll('select')];"
+        " const found = all.find((one) => [...one.options].some((x) => x.textContent === '1 ecef'));"
+        " found.value = '1'; found.dispatchEvent(new Event('input')); })()"
+    )
+    shown = own.run(labels)
+    assert {"x", "y", "z", "m"} <= {*shown} and "latitude" not in shown and "deg" not in shown
+
+
 def test_several_fields(own: browser.Page) -> None:
     of = model("real")
     start(own, "base.ping")

@@ -29,6 +29,8 @@ HERE = Path(__file__).parent
 EMBEDDED = "thumbv7m-none-eabi"
 LONG = "the Rust crate in many more builds"
 each = pytest.mark.parametrize("spec", ["awkward", "invented", "real"])
+#: The real crate is ten times as large: `make test` leaves to `make test-all` what would only find the same again.
+mostly = pytest.mark.parametrize("spec", ["awkward", "invented", pytest.param("real", marks=heavy(LONG))])
 
 
 @cache
@@ -127,6 +129,7 @@ members = ["mip-protocol"]
         yield folder
 
 
+@heavy(LONG)
 def test_serde_defmt_and_embedded_io() -> None:
     with with_dependencies() as folder:
         passes(folder, "test", "--quiet")
@@ -257,7 +260,7 @@ def lints(spec: str, *features: str) -> None:
     passes(bare(spec), "clippy", "--quiet", "--offline", *features, "--", "-D", "warnings")
 
 
-@each
+@mostly
 def test_lints(spec: str) -> None:
     """clippy also says where something is newer than the oldest Rust that the manifest promises."""
     for features in LINTS[spec]:
@@ -270,7 +273,7 @@ def test_lints_without_features(spec: str) -> None:
     lints(spec)
 
 
-@pytest.mark.parametrize("spec", ["awkward", "invented", pytest.param("real", marks=heavy(LONG))])
+@mostly
 def test_each_set_alone_builds(spec: str) -> None:
     """A descriptor set is a feature that brings the sets whose types it needs, and nothing warns without the others."""
     same = {s.name for s in specification("invented").sets} if spec == "awkward" else set()
@@ -378,7 +381,7 @@ def test_the_front_page_lists_the_modules(spec: str) -> None:
         assert name == "dynamic" or f"[`{name}`]" in page, name
 
 
-@each
+@mostly
 def test_documentation(spec: str) -> None:
     """The README and the examples in the documentation run; links lead somewhere.
 

@@ -16,7 +16,7 @@ import pytest
 from crates import WORK, bare, crate, passes, rendered, specification, write
 from mipgen.targets.rust import OLDEST, names
 from support import ROOT, SPECS, heavy, locked, need
-from test_rust import EMBEDDED, embedded, with_dependencies
+from test_rust import EMBEDDED, LONG, embedded, with_dependencies
 
 #: Rust that is needed by features that bring dependencies, as locked for the tests.
 DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81"}
@@ -141,6 +141,7 @@ def combinations(spec: str) -> list[str]:
     return [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
 
 
+@heavy(LONG)
 def test_each_combination_of_features() -> None:
     for features in combinations("invented"):
         lint = ("clippy", "--quiet", "--offline", "--no-default-features", "--features", features)

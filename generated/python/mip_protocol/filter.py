@@ -2048,13 +2048,14 @@ class InitializationConfigResponse(Response):
     """Initial position that the user provides. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
     """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the initial position and velocity."""
@@ -2246,7 +2247,8 @@ class RelativePositionConfigResponse(Response):
     """Reference point. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
 
     def __init__(
@@ -3385,14 +3387,14 @@ class ExternalGnssUpdate(Command[None]):
         ("latitude", "d", None),
         ("longitude", "d", None),
         ("height", "d", None),
-        ("velocity", "fff", types.Vector3f),
-        ("position_uncertainty", "fff", types.Vector3f),
-        ("velocity_uncertainty", "fff", types.Vector3f),
+        ("velocity", "fff", types.Ned3f),
+        ("position_uncertainty", "fff", types.Ned3f),
+        ("velocity_uncertainty", "fff", types.Ned3f),
     )
     _VECTORS = {
-        "velocity": (types.Vector3f,),
-        "position_uncertainty": (types.Vector3f,),
-        "velocity_uncertainty": (types.Vector3f,),
+        "velocity": (types.Ned3f,),
+        "position_uncertainty": (types.Ned3f,),
+        "velocity_uncertainty": (types.Ned3f,),
     }
 
     tow: float
@@ -3405,12 +3407,12 @@ class ExternalGnssUpdate(Command[None]):
     """Longitude. Unit: deg. Frame: llh."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
-    velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
-    position_uncertainty: types.Vector3f
-    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
-    velocity_uncertainty: types.Vector3f
-    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+    velocity: types.Ned3f
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    position_uncertainty: types.Ned3f
+    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned."""
+    velocity_uncertainty: types.Ned3f
+    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
 
     def __init__(
         self,
@@ -3419,18 +3421,18 @@ class ExternalGnssUpdate(Command[None]):
         latitude: float,
         longitude: float,
         height: float,
-        velocity: types.Vector3f | codec.Numbers,
-        position_uncertainty: types.Vector3f | codec.Numbers,
-        velocity_uncertainty: types.Vector3f | codec.Numbers,
+        velocity: types.Ned3f | codec.Numbers,
+        position_uncertainty: types.Ned3f | codec.Numbers,
+        velocity_uncertainty: types.Ned3f | codec.Numbers,
     ) -> None:
         self.tow = tow
         self.week_number = week_number
         self.latitude = latitude
         self.longitude = longitude
         self.height = height
-        self.velocity = codec.vector(velocity, types.Vector3f)
-        self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
-        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
+        self.velocity = codec.vector(velocity, types.Ned3f)
+        self.position_uncertainty = codec.vector(position_uncertainty, types.Ned3f)
+        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Ned3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
@@ -3441,9 +3443,9 @@ class ExternalGnssUpdate(Command[None]):
         latitude = v[2]
         longitude = v[3]
         height = v[4]
-        velocity = types.Vector3f._make(v[5:8])
-        position_uncertainty = types.Vector3f._make(v[8:11])
-        velocity_uncertainty = types.Vector3f._make(v[11:14])
+        velocity = types.Ned3f._make(v[5:8])
+        position_uncertainty = types.Ned3f._make(v[8:11])
+        velocity_uncertainty = types.Ned3f._make(v[11:14])
         return cls(
             tow,
             week_number,
@@ -7419,13 +7421,14 @@ class InitializationConfig(Command[R]):
     """Initial position that the user provides. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None
     """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
     """
     reference_frame_selector: ReferenceFrame | None
     """Frame of the initial position and velocity. Required for `write`."""
@@ -7919,7 +7922,8 @@ class RelativePositionConfig(Command[R]):
     """Reference point. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
 
     def __init__(

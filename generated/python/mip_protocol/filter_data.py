@@ -3014,27 +3014,27 @@ class NedRelativePosition(Data):
     DESCRIPTOR = 0x42
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
-    _LAYOUT = (("relative_position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
-    _VECTORS = {"relative_position": (types.Vector3d,)}
+    _LAYOUT = (("relative_position", "ddd", types.Ned3d), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"relative_position": (types.Ned3d,)}
 
-    relative_position: types.Vector3d
-    """Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    relative_position: types.Ned3d
+    """Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
 
     def __init__(
-        self, relative_position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags
+        self, relative_position: types.Ned3d | codec.Numbers, valid_flags: ValidFlags
     ) -> None:
-        self.relative_position = codec.vector(relative_position, types.Vector3d)
+        self.relative_position = codec.vector(relative_position, types.Ned3d)
         self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
         v = _NED_RELATIVE_POSITION_0.read(raw, at)
         at += 26
-        relative_position = types.Vector3d._make(v[0:3])
+        relative_position = types.Ned3d._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(relative_position, valid_flags), at
 

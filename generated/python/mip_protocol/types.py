@@ -1234,6 +1234,22 @@ class Vector3d(NamedTuple):
     z: float
 
 
+class Ned3f(NamedTuple):
+    """Three floats in the NED frame. Elements: north, east, down."""
+
+    north: float
+    east: float
+    down: float
+
+
+class Ned3d(NamedTuple):
+    """Three doubles in the NED frame. Elements: north, east, down."""
+
+    north: float
+    east: float
+    down: float
+
+
 class Matrix3f(NamedTuple):
     """Three by three floats in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
 

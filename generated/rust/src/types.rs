@@ -1060,6 +1060,30 @@ vector! {
 }
 
 vector! {
+    /// Three floats in the NED frame.
+    Ned3f: [f32; 3] {
+        /// The element north.
+        north,
+        /// The element east.
+        east,
+        /// The element down.
+        down,
+    }
+}
+
+vector! {
+    /// Three doubles in the NED frame.
+    Ned3d: [f64; 3] {
+        /// The element north.
+        north,
+        /// The element east.
+        east,
+        /// The element down.
+        down,
+    }
+}
+
+vector! {
     /// Three by three floats in row-major order.
     Matrix3f: [f32; 9] {
         /// The element m11.

@@ -334,6 +334,7 @@ impl Visitor for Look {
         let value = T::decode(field.data).ok()?;
         let length = value.to_vec().ok()?.len();
         assert_eq!(T::INFO, *value.into_any().info());
+        assert_eq!(T::INFO.parameters(), T::PARAMETERS);
         Some((T::INFO.title, length))
     }
 

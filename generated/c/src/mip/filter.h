@@ -1555,11 +1555,11 @@ struct mip_filter_external_gnss_update {
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
-    /** Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity[3];
-    /** Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned. */
+    /** Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. */
     float position_uncertainty[3];
-    /** Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity_uncertainty[3];
 };
 
@@ -6864,13 +6864,15 @@ struct mip_filter_initialization_config {
     /**
      * Initial position that the user provides. Elements: x, y, z. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+     * height; unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /**
@@ -7000,13 +7002,15 @@ struct mip_filter_initialization_config_response {
     /**
      * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /** Frame of the initial position and velocity. A value of enum mip_filter_reference_frame. */
@@ -7460,7 +7464,8 @@ struct mip_filter_relative_position_config {
     /**
      * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };
@@ -7555,7 +7560,8 @@ struct mip_filter_relative_position_config_response {
     /**
      * Reference point. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };

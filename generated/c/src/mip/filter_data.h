@@ -4002,7 +4002,7 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  */
 struct mip_filter_data_ned_relative_position {
     /**
-     * Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if
+     * Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double relative_position[3];

@@ -220,7 +220,7 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
  */
 struct mip_gnss_corrections_ned_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
      * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];

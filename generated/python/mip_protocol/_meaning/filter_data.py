@@ -778,7 +778,7 @@ TYPES: dict[str, Info] = {
         also=("rel_pos_ned",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("relative_position", "relative_position", "array", description="Relative position.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: ned.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("relative_position", "relative_position", "array", description="Relative position.", facts=("Elements: north, east, down.", "Unit: m.", "Frame: ned.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="double", elements=("north", "east", "down"), units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", description="Validity of the values.", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),

@@ -894,16 +894,16 @@ record! {
         pub height: f64,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity: types::Ned3f,
         /// Standard deviation of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned.
-        pub position_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m. Frame: ned.
+        pub position_uncertainty: types::Ned3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity_uncertainty: types::Ned3f,
     }
 }
 
@@ -917,9 +917,9 @@ constructors! {
         latitude: f64,
         longitude: f64,
         height: f64,
-        velocity: impl Into<types::Vector3f>,
-        position_uncertainty: impl Into<types::Vector3f>,
-        velocity_uncertainty: impl Into<types::Vector3f>,
+        velocity: impl Into<types::Ned3f>,
+        position_uncertainty: impl Into<types::Ned3f>,
+        velocity_uncertainty: impl Into<types::Ned3f>,
     );
 }
 
@@ -3072,7 +3072,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: Option<types::Vector3f>,
         /// Initial velocity that the user provides.
         ///
@@ -3080,7 +3081,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: Option<types::Vector3f>,
         /// Frame of the initial position and velocity.
         ///
@@ -3291,7 +3292,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub reference_coordinates: Option<types::Vector3d>,
     }
     wire 27 {
@@ -4580,7 +4582,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: types::Vector3f,
         /// Initial velocity that the user provides.
         ///
@@ -4588,7 +4591,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: types::Vector3f,
         /// Frame of the initial position and velocity.
         pub reference_frame_selector: ReferenceFrame,
@@ -4670,7 +4673,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
         /// is [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
-        /// is [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// is [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m;
+        /// frame llh.
         pub reference_coordinates: types::Vector3d,
     }
 }

@@ -1742,9 +1742,9 @@ record! {
     pub struct NedRelativePosition {
         /// Relative position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Valid if
+        /// Elements: north, east, down. Unit: m. Frame: ned. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub relative_position: types::Vector3d,
+        pub relative_position: types::Ned3d,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }

@@ -108,9 +108,9 @@ record! {
     pub struct NedVelocity {
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
         /// [`valid_flags.velocity`](crate::gnss_1::NedVelocityFlags::velocity) is set.
-        pub velocity: types::Vector3f,
+        pub velocity: types::Ned3f,
         /// Speed in space.
         ///
         /// Unit: m/s. Valid if [`valid_flags.speed_3d`](crate::gnss_1::NedVelocityFlags::speed_3d)

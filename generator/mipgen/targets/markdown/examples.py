@@ -205,8 +205,10 @@ def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
     units = next((v.units for v in _variants(p, around) if v.units), p.units)
     symbols = ["" if u == "1" else u for u in units]
     shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
-    if isinstance(p.element, m.Vector) and len(p.element.elements) == len(shown) <= 4:
-        shown = [f"{name} {v}" for name, v in zip(p.element.elements, shown, strict=True)]
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    elements = next((v.elements for v in _variants(p, around) if v.elements), own)
+    if len(elements) == len(shown) <= 4:
+        shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
     if len(symbols) == len(shown) > 1:
         return inline(", ".join(f"{v} {u}".strip() for v, u in zip(shown, symbols, strict=True)))
     return inline(f"{', '.join(shown)} {symbols[0] if symbols else ''}".strip())

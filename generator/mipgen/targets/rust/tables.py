@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ... import model as m
@@ -43,6 +44,35 @@ class Group:
     when: str  # the feature that they need
     sets: tuple[int, int]
     fields: tuple[m.Field, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Described:
+    """A value as the registry describes it."""
+
+    name: str
+    elements: tuple[str, ...]
+    units: tuple[str, ...]
+    frame: str | None
+    members: tuple[Described, ...]  # of a structure; the alternatives of a union
+
+
+def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
+    """Those that types hold: whatever does not follow from others."""
+    return tuple(
+        Described(
+            p.name, p.element.elements if isinstance(p.element, m.Vector) else (), p.units, p.frame,
+            described(_inside(p)),
+        )
+        for p in parameters
+        if not p.derived
+    )  # fmt: skip
+
+
+def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
+    if isinstance(p.element, m.Struct):
+        return p.element.parameters
+    return (c.parameter for c in p.cases if c.parameter)
 
 
 class Tables:
