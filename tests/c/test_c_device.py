@@ -248,7 +248,7 @@ def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
 
 
 def test_the_examples_are_these() -> None:
-    assert {p.name for p in EXAMPLES.iterdir()} == {"posix.c", "bare_metal.c", "cplusplus.cpp"}
+    assert {p.name for p in EXAMPLES.iterdir()} == {"posix.c", "bare_metal.c", "cplusplus.cpp", "arduino"}
     style = f"--style=file:{folder('real') / '.clang-format'}"
     run(need("clang-format"), style, "--dry-run", "-Werror", EXAMPLES / "cplusplus.cpp")
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))

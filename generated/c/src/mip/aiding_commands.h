@@ -252,10 +252,10 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  *   valid_flags is set.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
- * - uncertainty: Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned.
- *   Range: greater than 0. Each element has its own valid flag. x:
- *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, y: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
- *   valid_flags, z: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+ * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north:
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
  * - valid_flags: Which coordinates are valid.
  */
 static inline struct mip_result mip_call_aiding_llh_position(
@@ -382,12 +382,13 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
  *
  * - time: When the measurement was taken.
  * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid
- *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
- *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
- * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range:
- *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
- *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its
+ *   own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
+ *   valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
  * - valid_flags: Which axes are valid.
  */
 static inline struct mip_result mip_call_aiding_ned_velocity(

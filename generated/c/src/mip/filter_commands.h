@@ -610,11 +610,11 @@ static inline mip_error mip_send_filter_external_gnss_update(
  * - latitude: Latitude. Unit: deg. Frame: llh.
  * - longitude: Longitude. Unit: deg. Frame: llh.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
- * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ned.
- * - position_uncertainty: Standard deviation of the position. Elements: x, y, z. Unit: m. Frame:
- *   ned.
- * - velocity_uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame:
- *   ned.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
+ *   Frame: ned.
+ * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
+ *   m/s. Frame: ned.
  */
 static inline struct mip_result mip_call_filter_external_gnss_update(
     struct mip_device *device, double tow, uint16_t week_number, double latitude, double longitude,
@@ -3093,10 +3093,12 @@ static inline mip_error mip_send_filter_initialization_config(
  * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
  * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
  *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
  * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
  *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
- *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+ *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
+ *   frame ned.
  * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
  *   mip_filter_reference_frame. Required for write.
  */
@@ -3367,7 +3369,8 @@ static inline mip_error mip_send_filter_relative_position_config(
  *   Required for write.
  * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
  *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
- *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
  */
 static inline struct mip_result mip_call_filter_relative_position_config_write(
     struct mip_device *device, enum mip_filter_relative_position_source source,

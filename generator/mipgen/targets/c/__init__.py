@@ -19,8 +19,8 @@ __all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filt
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.CLANG_FORMAT
-#: Programs for three kinds of systems, on mip/device.h.
-EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp")
+#: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
+EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -32,7 +32,7 @@ def files(model: m.Model) -> Iterator[File]:
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
     for name in EXAMPLES:
-        if example := model.taste(name):
+        if example := model.taste(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.taste(f"{name}.c").rstrip() for name in ("device", "client", "present")}
     shown["taste"] = taste.partition("*/\n")[2].rstrip()
