@@ -546,6 +546,16 @@ def number(value: object) -> str:
     return str(int(value)) if isinstance(value, float) and value.is_integer() and abs(value) < 1e15 else str(value)
 
 
+def measured(number: str, unit: str | None, model: m.Model) -> str:
+    """A number, or several, with the unit, as one writes it: 3 m, week 2412, 253 bytes."""
+    word = next((w for w in model.protocol.units if w.symbol == unit), None)
+    if word is None or word.symbol == "1":
+        return number
+    if word.numbered:
+        return f"{word.symbol} {number}"
+    return f"{number} {word.plural if word.plural and number != '1' else word.symbol}"
+
+
 def joined(items: Sequence[Text], last: str = "and") -> Text:
     """
     >>> joined([("a",), ("b",), ("c",)])

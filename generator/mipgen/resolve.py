@@ -182,7 +182,15 @@ def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
 
 def _words(node: Node) -> tuple[m.Word, ...]:
     return tuple(
-        m.Word(s, n["title"].value, n.scalar("description", ""), _names(n.get("elements"))) for s, n in node.items()
+        m.Word(
+            symbol=symbol,
+            title=n["title"].value,
+            description=n.scalar("description", ""),
+            plural=n.scalar("plural", ""),
+            numbered=n.scalar("numbered", False),
+            elements=_names(n.get("elements")),
+        )
+        for symbol, n in node.items()
     )
 
 

@@ -558,7 +558,8 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     assert blocks[0].rstrip() == example and len(blocks) == 7
     outside = (
         "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
-        "size_t ring_end(void);\nsize_t receive(uint8_t *bytes, size_t size);\nvoid handle(const struct mip_packet *packet);\n"
+        "size_t ring_end(void);\nsize_t receive(uint8_t *bytes, size_t size);\n"
+        "void handle(const struct mip_packet *packet);\n"
         "void show(const float accel[3], uint32_t arrived);\nvoid report(const char *outcome, const char *reason);\n"
     )
     for i, block in enumerate(blocks[1:], 1):  # functions, whose prototypes some compilers want to see

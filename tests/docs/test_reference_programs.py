@@ -35,7 +35,7 @@ def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
     packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
     shown = manual.typical.shown(f)
-    return [packets[i] for i, c in enumerate(f.calls) if any(c is x for x in shown)]
+    return [packets[i] for i, c in enumerate(manual.typical.sent(f)) if any(c is x for x in shown)]
 
 
 def reply(manual: Manual, packet: bytes) -> bytes:

@@ -303,3 +303,10 @@ def test_a_value_is_part_of_its_sentence(own: m.Model) -> None:
         for fact in [*describe.field(f, own), *(x for p in f.parameters for x in describe.parameter(p, f, own))]:
             assert plain(fact.value) in plain(fact.sentence)
             assert plain(fact.sentence)[-1] == "." or fact.topic == "note", fact
+
+
+def test_numbers_with_units() -> None:
+    real = model("real")
+    units = (("3", "m"), ("2412", "week"), ("253", "byte"), ("1", "byte"), ("0, 1", "byte"), ("2", "1"), ("7", None))
+    said = [describe.measured(number, unit, real) for number, unit in units]
+    assert said == ["3 m", "week 2412", "253 bytes", "1 byte", "0, 1 bytes", "2", "7"]

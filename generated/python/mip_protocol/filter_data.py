@@ -2081,7 +2081,8 @@ _DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
 class DensityAltitude(Data):
     """Density altitude (0x82,0x22).
 
-    Altitude at which the standard atmosphere has the density of the air around the device.
+    The density of the surrounding air, as the altitude at which the standard atmosphere is as
+    dense.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
     gives the name only; the description is the usual meaning of the term.
@@ -3120,7 +3121,7 @@ _GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["r
 class GnssAttitudeAidingStatus(Data):
     """GNSS attitude aiding status (0x82,0x44).
 
-    How the filter uses the attitude that two GNSS antennas give.
+    State of the attitude aiding by two GNSS antennas.
 
     Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.

@@ -4906,7 +4906,7 @@ class GalileoIonoCorrection(Data):
     `valid_flags` is set. Uncertain: The units.
     """
     disturbance_flags: int
-    """Storm flags of five regions, in bits 1 to 5. Valid if
+    """Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
     `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
     bits count from 0 or from 1, and which region each represents.
     """

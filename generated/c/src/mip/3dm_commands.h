@@ -771,8 +771,10 @@ static inline mip_error mip_send_3dm_data_stream_control(
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
  *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
  *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  * - enable: Whether the stream is sent. Default: true. Required for write.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
@@ -790,8 +792,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
  *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
  *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
@@ -808,8 +812,10 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
  *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
  *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
@@ -824,8 +830,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
  *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
  *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
@@ -840,8 +848,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
  * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
  *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
  *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
- *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
                                                                          uint8_t descriptor_set) {
@@ -1164,9 +1174,9 @@ static inline mip_error mip_send_3dm_pps_source_control(
 /**
  * PPS Source Control: write. Apply the new setting. See mip_device_call.
  *
- * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Default:
- *   MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only
- *   MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+ * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+ *   3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
  */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {

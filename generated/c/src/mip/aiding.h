@@ -115,7 +115,8 @@ union mip_aiding_frame_config_rotation {
  *
  * `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
  *
- * The rotation does not matter for GNSS positions and velocities; set it to zero.
+ * For GNSS positions and velocities the rotation does not matter. Send one that does not turn:
+ * Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
  *
  * A read selects the format of the answer.
  *

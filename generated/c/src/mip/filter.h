@@ -22,9 +22,9 @@ extern "C" {
 #define MIP_FILTER_SET 0x0D
 
 /**
- * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
- * descriptions follow from the names. Uncertain: mip_filter_data_status reports a mode too, but is
- * known to have the values 1 to 3 only.
+ * Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK names
+ * the modes only; the descriptions follow from the names. Uncertain: mip_filter_data_status reports
+ * a mode too, but is known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -196,7 +196,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
 /** Magnetic field that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
-/** Velocity in the vehicle that the user sends. */
+/** Velocity in the body (vehicle) frame that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
@@ -579,7 +579,7 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
- * Kind of vehicle that the filter is tuned for.
+ * Adapts the filter to the motion that it has to expect.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known only from the
@@ -1085,8 +1085,8 @@ struct mip_filter_antenna_offset {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10. Required for write.
+     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
@@ -1115,8 +1115,9 @@ static inline mip_error mip_filter_antenna_offset_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - offset: From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
- *   vehicle. Range: magnitude at most 10. Required for write.
+ * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+ *   sensor.
  */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
@@ -1163,8 +1164,8 @@ mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
  */
 struct mip_filter_antenna_offset_response {
     /**
-     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10.
+     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
@@ -1404,6 +1405,8 @@ struct mip_filter_gnss_source {
     uint8_t function;
     /**
      * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
+     * On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+     * MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
      */
     uint8_t source;
 };
@@ -1433,7 +1436,8 @@ static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gn
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
- *   write.
+ *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
  */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
@@ -1534,7 +1538,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
 /**
  * External GNSS update: command (0x0D,0x16).
  *
- * Gives the filter one position and velocity of a GNSS receiver that the user provides.
+ * One measurement of position and velocity by a GNSS receiver of the user.
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -3280,7 +3284,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation_response {
-    /** Axes to tare; 0 resets all axes. */
+    /** Axes that are tared. */
     mip_filter_tare_axes axes;
 };
 
@@ -3432,7 +3436,10 @@ struct mip_filter_reference_position {
     double latitude;
     /** Longitude. Unit: deg. Frame: llh. Required for write. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. Required for write. */
+    /**
+     * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
+     * from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     */
     double altitude;
 };
 
@@ -3463,7 +3470,9 @@ static inline mip_error mip_filter_reference_position_encode(
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
  * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
- * - altitude: Altitude. Unit: m. Frame: llh. Required for write.
+ * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
+ *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
+ *   level.
  */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
@@ -3519,7 +3528,10 @@ struct mip_filter_reference_position_response {
     double latitude;
     /** Longitude. Unit: deg. Frame: llh. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. */
+    /**
+     * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
+     * manual does not say; its glossary counts altitudes from sea level.
+     */
     double altitude;
 };
 
@@ -3580,7 +3592,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
- * Makes the automatic magnetometer calibration part of the fixed one.
+ * Moves what the automatic magnetometer calibration has found into the fixed calibration.
  *
  * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK.
@@ -4295,7 +4307,10 @@ struct mip_filter_enable_measurements {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Measurements to use. Required for write. */
+    /**
+     * Measurements to use. Required for write. On the 3DM-GX5-15: only
+     * MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+     */
     mip_filter_measurement_flags control;
 };
 
@@ -4323,7 +4338,8 @@ static inline mip_error mip_filter_enable_measurements_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - control: Measurements to use. Required for write.
+ * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+ *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
  */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
@@ -4601,7 +4617,11 @@ struct mip_filter_magnetic_declination_source {
      * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
      */
     uint8_t source;
-    /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
+    /**
+     * Declination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The manual says that it is required
+     * only if it is, but gives one length.
+     */
     float declination;
 };
 
@@ -4633,6 +4653,8 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
  *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
+ *   required only if it is, but gives one length.
  */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4688,7 +4710,11 @@ mip_filter_magnetic_declination_source_default(
 struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
-    /** Declination; used only if `source` is manual. Unit: rad. */
+    /**
+     * Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+     * out if `source` is not manual. The manual says that it is required only if it is, but gives
+     * one length.
+     */
     float declination;
 };
 
@@ -6571,7 +6597,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /** The source; `all` is for save, load and default. A value of mip_filter_aiding_source. */
+    /** The source. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
@@ -6633,7 +6659,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
- * Assumptions about the motion that the filter uses as measurements.
+ * What the filter may take for granted about the motion, in place of measurements.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_kinematic_constraint_response. Not listed in any device profile. Known only from the
@@ -7736,7 +7762,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
-    /** Point to move; it must be 1. A value of enum mip_filter_reference_point. */
+    /** The point. A value of enum mip_filter_reference_point. */
     uint8_t reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
@@ -8395,8 +8421,8 @@ struct mip_filter_gnss_antenna_calibration {
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
-     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+     * Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. Required
+     * for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
      */
     float max_offset;
 };
@@ -8426,8 +8452,8 @@ static inline mip_error mip_filter_gnss_antenna_calibration_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - max_offset: Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit:
- *   m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+ * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
+ *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
  */
 static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
     struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
@@ -8480,10 +8506,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
 struct mip_filter_gnss_antenna_calibration_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /**
-     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1.
-     */
+    /** Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. */
     float max_offset;
 };
 

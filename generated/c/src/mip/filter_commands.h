@@ -384,8 +384,9 @@ static inline mip_error mip_send_filter_antenna_offset(
 /**
  * GNSS antenna offset: write. Apply the new setting. See mip_device_call.
  *
- * - offset: From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
- *   vehicle. Range: magnitude at most 10. Required for write.
+ * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+ *   sensor.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
                                                                      const float offset[3]) {
@@ -537,7 +538,8 @@ static inline mip_error mip_send_filter_gnss_source(
  * GNSS aiding source: write. Apply the new setting. See mip_device_call.
  *
  * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
- *   write.
+ *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
  */
 static inline struct mip_result mip_call_filter_gnss_source_write(
     struct mip_device *device, enum mip_filter_gnss_aiding_source source) {
@@ -1466,7 +1468,9 @@ static inline mip_error mip_send_filter_reference_position(
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
  * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
  * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
- * - altitude: Altitude. Unit: m. Frame: llh. Required for write.
+ * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
+ *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
+ *   level.
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
@@ -1883,7 +1887,8 @@ static inline mip_error mip_send_filter_enable_measurements(
 /**
  * Enable or disable measurements: write. Apply the new setting. See mip_device_call.
  *
- * - control: Measurements to use. Required for write.
+ * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+ *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_write(
     struct mip_device *device, mip_filter_measurement_flags control) {
@@ -2040,6 +2045,8 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
+ *   required only if it is, but gives one length.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
@@ -3806,8 +3813,8 @@ static inline mip_error mip_send_filter_gnss_antenna_calibration(
  * GNSS antenna offset calibration: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - max_offset: Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit:
- *   m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+ * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
+ *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
     struct mip_device *device, uint8_t enable, float max_offset) {

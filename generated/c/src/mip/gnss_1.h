@@ -3898,7 +3898,7 @@ struct mip_gnss_1_galileo_iono_correction {
      */
     double alpha[3];
     /**
-     * Storm flags of five regions, in bits 1 to 5. Valid if
+     * Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
      * Whether the bits count from 0 or from 1, and which region each represents.
      */

@@ -62,7 +62,7 @@ TYPES: dict[str, Info] = {
         "aiding.frame_config", type=aiding.FrameConfig,
         title="Frame configuration",
         description="Where and how an external sensor is mounted on the vehicle.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `aiding.FrameConfigResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.", "Aiding measurements name the frame by its number.", "`p_vehicle = R * p_frame + t`, with the rotation R and the translation t.", "The rotation does not matter for GNSS positions and velocities; set it to zero.", "A read selects the format of the answer."),
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `aiding.FrameConfigResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.", "Aiding measurements name the frame by its number.", "`p_vehicle = R * p_frame + t`, with the rotation R and the translation t.", "For GNSS positions and velocities the rotation does not matter. Send one that does not turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.", "A read selects the format of the answer."),
         sources=("3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)", "3dm-cv7-gnss-ins: Aiding Frames"),
         functions=("write", "read", "save", "load", "default"),
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),

@@ -563,7 +563,7 @@ TYPES: dict[str, Info] = {
     "DensityAltitude": FieldInfo(
         "filter_data.density_altitude", type=filter_data.DensityAltitude,
         title="Density altitude",
-        description="Altitude at which the standard atmosphere has the density of the air around the device.",
+        description="The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.",
         facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: The SDK gives the name only; the description is the usual meaning of the term."),
         sources=("mip-sdk-4: Density Altitude (0x82,0x22)",),
         parameters=(
@@ -800,7 +800,7 @@ TYPES: dict[str, Info] = {
     "GnssAttitudeAidingStatus": FieldInfo(
         "filter_data.gnss_attitude_aiding_status", type=filter_data.GnssAttitudeAidingStatus,
         title="GNSS attitude aiding status",
-        description="How the filter uses the attitude that two GNSS antennas give.",
+        description="State of the attitude aiding by two GNSS antennas.",
         facts=("Also called `gnss_att_aid_status`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
         sources=("mip-sdk-4: Gnss Att Aid Status (0x82,0x44)",),
         also=("gnss_att_aid_status",),

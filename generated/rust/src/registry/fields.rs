@@ -3,17 +3,6 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [], {
-                "command";
-                "code";
-            };
-    }
     #[cfg(feature = "base")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
@@ -1381,7 +1370,7 @@ registry! {
                 "enable";
                 "latitude" in ["deg"] of "llh";
                 "longitude" in ["deg"] of "llh";
-                "altitude" in ["m"] of "llh";
+                "altitude" in ["m"];
             };
         /// Capture automatic magnetometer calibration (0x0D,0x27).
         FilterMagCaptureAutoCalibration(crate::filter::MagCaptureAutoCalibration):
@@ -1765,7 +1754,7 @@ registry! {
                 "enable";
                 "latitude" in ["deg"] of "llh";
                 "longitude" in ["deg"] of "llh";
-                "altitude" in ["m"] of "llh";
+                "altitude" in ["m"];
             };
         /// Gravity noise response (0x0D,0x93).
         FilterGravityNoiseResponse(crate::filter::GravityNoiseResponse):
@@ -2517,14 +2506,14 @@ registry! {
             Data 0x80, 0x09, of 1,
             "sensor.comp_orientation_matrix", "Complementary filter orientation matrix",
             [], {
-                "m": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
+                "m": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "ned";
             };
         /// Complementary filter quaternion (0x80,0x0A).
         SensorCompQuaternion(crate::sensor::CompQuaternion):
             Data 0x80, 0x0A, of 1,
             "sensor.comp_quaternion", "Complementary filter quaternion",
             [], {
-                "q": ["w" "x" "y" "z"] in ["1"];
+                "q": ["w" "x" "y" "z"] in ["1"] of "ned";
             };
         /// Complementary filter orientation update matrix (0x80,0x0B).
         SensorCompOrientationUpdateMatrix(crate::sensor::CompOrientationUpdateMatrix):
@@ -2538,9 +2527,9 @@ registry! {
             Data 0x80, 0x0C, of 1,
             "sensor.comp_euler_angles", "Complementary filter Euler angles",
             [], {
-                "roll" in ["rad"];
-                "pitch" in ["rad"];
-                "yaw" in ["rad"];
+                "roll" in ["rad"] of "ned";
+                "pitch" in ["rad"] of "ned";
+                "yaw" in ["rad"] of "ned";
             };
         /// Orientation raw temperatures (0x80,0x0D).
         SensorOrientationRawTemperature(crate::sensor::OrientationRawTemperature):
@@ -6007,6 +5996,17 @@ registry! {
             [], {
                 "dt_nanos" in ["ns"];
                 "valid_flags";
+            };
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
+            [], {
+                "command";
+                "code";
             };
     }
 }

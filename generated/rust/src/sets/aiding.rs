@@ -124,7 +124,8 @@ record! {
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
-    /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
+    /// - For GNSS positions and velocities the rotation does not matter. Send one that does not
+    ///   turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
     /// - A read selects the format of the answer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.

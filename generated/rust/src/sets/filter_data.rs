@@ -1286,7 +1286,8 @@ field! {
 record! {
     /// Density altitude (0x82,0x22).
     ///
-    /// Altitude at which the standard atmosphere has the density of the air around the device.
+    /// The density of the surrounding air, as the altitude at which the standard atmosphere is as
+    /// dense.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
     /// SDK gives the name only; the description is the usual meaning of the term.
@@ -1787,7 +1788,7 @@ field! {
 record! {
     /// GNSS attitude aiding status (0x82,0x44).
     ///
-    /// How the filter uses the attitude that two GNSS antennas give.
+    /// State of the attitude aiding by two GNSS antennas.
     ///
     /// Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.

@@ -1764,7 +1764,7 @@ record! {
         /// Valid if [`valid_flags.alpha`](crate::gnss_1::GalileoIonoCorrectionFlags::alpha) is set.
         /// Uncertain: The units.
         pub alpha: [f64; 3],
-        /// Storm flags of five regions, in bits 1 to 5.
+        /// Ionospheric storms, one bit (1 to 5) for each of five regions.
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)

@@ -82,11 +82,11 @@ class Tables:
     def groups(self) -> list[Group]:
         """All fields as the registry looks for them: by set, those that many sets may hold last."""
         ack = self.model.protocol.acknowledge
-        found = [Group("all()", self.set_range(ack), (ack,))]
+        found = []
         for s in sorted(self.model.sets, key=lambda s: s.number):
             if s.fields:
                 found.append(Group(f'feature = "{feature(s)}"', self.set_range(s.fields[0]), s.fields))
-        return found
+        return [*found, Group("all()", self.set_range(ack), (ack,))]
 
     def set_range(self, f: m.Field) -> tuple[int, int]:
         """The sets whose packets can hold the field."""

@@ -3,17 +3,6 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [], {
-                "command";
-                "code";
-            };
-    }
     #[cfg(feature = "tools")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
@@ -613,6 +602,17 @@ registry! {
             [], {
                 "tow" in ["s"];
                 "valid_flags";
+            };
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
+            [], {
+                "command";
+                "code";
             };
     }
 }
