@@ -63,11 +63,11 @@ MIP_API unsigned long mip_version(void);
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
 MIP_API const char *mip_error_name(mip_error error);
 
-#ifdef __cplusplus
+#ifndef __cplusplus
 /** What only C++ reads. */
-#define MIP_IN_CPP(text) text
-#else
 #define MIP_IN_CPP(text)
+#else
+#define MIP_IN_CPP(text) text
 #endif
 
 /* These follow the name of an enumeration. In C++, it then has as many bits as on the wire, and
