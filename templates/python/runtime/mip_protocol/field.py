@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
@@ -188,13 +189,18 @@ class Field(Structure):
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
         """The first field of this type in a packet, if there is one."""
+        return next(cls.find_all(packet), None)
+
+    @classmethod
+    def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
+        """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
+        cannot be decoded, or to a malformed field."""
         shared = cls.SET == 0xFF and packet.set >= 0x80
         ack = cls.SET == 0 and packet.set < 0x80
         if packet.set == cls.SET or shared or ack:
             for raw in packet:
                 if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
-                    return cls._received(raw)
-        return None
+                    yield cls._received(raw)
 
     @classmethod
     def _received(cls: type[F], raw: RawField) -> F:
