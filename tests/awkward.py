@@ -100,6 +100,23 @@ fields:
       - {name: optional, type: u8, count: 40, optional: true}
 """
 
+LARGE = f"""set: 0x62
+name: large
+title: Large
+description: Types with more parts than a byte counts, and a field that has nothing but constants.
+types:
+  many: {{enum: u16, values: {{{", ".join(f"v{i}: {i}" for i in range(300))}}}}}
+  wide: {{bytes: 32, bits: {{{", ".join(f"b{i}: {i}" for i in range(256))}}}}}
+fields:
+  - command: 0x01
+    name: constants
+    title: Constants
+    description: The host sends these.
+    sources: [{{manual: leaflet, section: S}}]
+    parameters: [{{name: model, type: u16, const: 4711}}, {{name: gap, type: u8, count: 2, reserved: 0}}]
+    responses: [{{response: 0x81, name: echo, parameters: [{{name: many, type: many}}, {{name: wide, type: wide}}]}}]
+"""
+
 
 def lengths(longest: int = 33) -> str:
     """Types and fields with names of every length, so that every line that is written may be too long. Where names of C
@@ -157,5 +174,10 @@ def lengths(longest: int = 33) -> str:
 
 FILES = {
     name: HEAD + filled(text)
-    for name, text in {"awkward.yaml": COMMANDS, "long.yaml": DATA, "lengths.yaml": lengths()}.items()
+    for name, text in {
+        "awkward.yaml": COMMANDS,
+        "long.yaml": DATA,
+        "lengths.yaml": lengths(),
+        "large.yaml": LARGE,
+    }.items()
 }

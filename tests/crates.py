@@ -15,7 +15,7 @@ from pathlib import Path
 import awkward
 import pytest
 from mipgen import model as m
-from mipgen import render
+from mipgen import output, render
 from mipgen.resolve import load_model
 from support import BUILD, SPECS, locked, model, need
 
@@ -59,7 +59,7 @@ def crate(spec: str) -> Path:
     """The crate as it is."""
     folder = WORK / spec / "mip-protocol"
     with locked(WORK / f"{spec}-crate"):
-        render.write(rendered(spec), folder)
+        output.write(rendered(spec), folder)
     return folder
 
 

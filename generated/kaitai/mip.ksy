@@ -696,6 +696,26 @@ types:
         type: f8
       - id: z
         type: f8
+  ned3f:
+    -kind: vector
+    doc: Three floats in the NED frame.
+    seq:
+      - id: north
+        type: f4
+      - id: east
+        type: f4
+      - id: down
+        type: f4
+  ned3d:
+    -kind: vector
+    doc: Three doubles in the NED frame.
+    seq:
+      - id: north
+        type: f8
+      - id: east
+        type: f8
+      - id: down
+        type: f8
   matrix3f:
     -kind: vector
     doc: Three by three floats in row-major order.
@@ -2393,7 +2413,7 @@ types:
         doc: Lower threshold, in the unit of the watched value.
       - id: high_threshold
         type: f8
-        doc: Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside the window.
+        doc: Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded.
   event_threshold_interval:
     doc: A threshold inside a repeating interval.
     seq:
@@ -2757,10 +2777,10 @@ types:
     seq:
       - id: port
         type: u1
-        doc: Port id of the device; 0 means all ports, and is for save, load and default only.
+        doc: Port id of the device.
       - id: baud
         type: u4
-        doc: "Baud rate; one that the port supports. Unit: Bd."
+        doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_poll_imu_data:
     -orig-id: 3dm.poll_imu_data
     doc: Poll IMU Data. Requests one sensor data packet (0x80) with the listed fields, in the listed order.
@@ -3108,7 +3128,7 @@ types:
         type: u1
         enum: mip_3dm_pps_source
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Source of the pulse. Default: `receiver_1`."
+        doc: Source of the pulse.
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
     doc: Get Supported Events. Gets the types of event triggers or actions that the device has, and how many of each.
@@ -3695,7 +3715,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Data descriptor set; 0 means all of them (save, load, default).
+        doc: Data descriptor set.
       - id: num_descriptors
         type: u1
         valid:
@@ -4303,7 +4323,7 @@ types:
       - id: source
         type: u1
         enum: mip_3dm_pps_source
-        doc: "Source of the pulse. Default: `receiver_1`."
+        doc: Source of the pulse.
   mip_3dm_sensor_to_vehicle_transform_euler_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler_response
     doc: "Sensor-to-Vehicle Frame Transformation Euler response. "
@@ -4358,11 +4378,11 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Trigger instance; 0 means all configured triggers, except for read.
+        doc: Trigger instance.
       - id: mode
         type: u1
         enum: event_trigger_mode
-        doc: "New mode. Default: `disabled`."
+        doc: "Mode of the trigger. Default: `disabled`."
   mip_3dm_get_event_trigger_status_response:
     -orig-id: 3dm.get_event_trigger_status_response
     doc: "Get Event Trigger Status response. "
@@ -4397,7 +4417,7 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Trigger instance; 0 means all (save, load, default).
+        doc: Trigger instance.
       - id: type
         type: u1
         enum: event_trigger_type
@@ -4424,7 +4444,7 @@ types:
     seq:
       - id: instance
         type: u1
-        doc: Action instance; 0 means all (save, load, default).
+        doc: Action instance.
       - id: trigger
         type: u1
         doc: Trigger instance that the action follows.
@@ -4451,7 +4471,7 @@ types:
     seq:
       - id: pin
         type: u1
-        doc: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+        doc: GPIO pin, counted from 1.
       - id: feature
         type: u1
         enum: gpio_feature
@@ -4524,7 +4544,7 @@ types:
         doc: Descriptor set of the field.
       - id: field_descriptor
         type: u1
-        doc: Field descriptor; 0 if the set is 0.
+        doc: Field descriptor.
       - id: enable
         type: u1
         doc: Whether the field is filtered.
@@ -4533,7 +4553,7 @@ types:
         doc: "True uses `frequency`; false uses half the rate of the field in the message format."
       - id: frequency
         type: f4
-        doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
+        doc: "Cutoff in use. Unit: Hz."
   filter_reset:
     -orig-id: filter.reset
     doc: Reset navigation filter. Returns the filter to its initialization state.
@@ -4562,7 +4582,7 @@ types:
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
   filter_vehicle_dynamics_mode:
     -orig-id: filter.vehicle_dynamics_mode
-    doc: Vehicle dynamics mode. Kind of vehicle that the filter is tuned for.
+    doc: Vehicle dynamics mode. Adapts the filter to the motion that it has to expect.
     seq:
       - id: function_value
         -orig-id: function
@@ -4620,7 +4640,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "From the sensor origin to the centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control:
     -orig-id: filter.estimation_control
     doc: Estimation control flags. Which states the filter estimates.
@@ -4650,7 +4670,7 @@ types:
         doc: Source of the GNSS data.
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
-    doc: External GNSS update. Gives the filter one position and velocity of a GNSS receiver that the user provides.
+    doc: External GNSS update. One measurement of position and velocity by a GNSS receiver of the user.
     seq:
       - id: tow
         type: f8
@@ -4668,13 +4688,13 @@ types:
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
       - id: velocity
-        type: vector3f
+        type: ned3f
         doc: "Velocity. Unit: m/s. Frame: ned."
       - id: position_uncertainty
-        type: vector3f
+        type: ned3f
         doc: "Standard deviation of the position. Unit: m. Frame: ned."
       - id: velocity_uncertainty
-        type: vector3f
+        type: ned3f
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
@@ -4874,10 +4894,10 @@ types:
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Altitude. Unit: m. Frame: llh."
+        doc: "Altitude. Unit: m."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
-    doc: Capture automatic magnetometer calibration. Makes the automatic magnetometer calibration part of the fixed one.
+    doc: Capture automatic magnetometer calibration. Moves what the automatic magnetometer calibration has found into the fixed calibration.
     seq:
       - id: function_value
         -orig-id: function
@@ -5195,7 +5215,7 @@ types:
         doc: Whether the filter uses the source.
   filter_kinematic_constraint:
     -orig-id: filter.kinematic_constraint
-    doc: Kinematic constraint. Assumptions about the motion that the filter uses as measurements.
+    doc: Kinematic constraint. What the filter may take for granted about the motion, in place of measurements.
     seq:
       - id: function_value
         -orig-id: function
@@ -5415,7 +5435,7 @@ types:
       - id: max_offset
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1."
+        doc: "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0."
   filter_vehicle_dynamics_mode_response:
     -orig-id: filter.vehicle_dynamics_mode_response
     doc: "Vehicle dynamics mode response. "
@@ -5450,7 +5470,7 @@ types:
     seq:
       - id: offset
         type: vector3f
-        doc: "From the sensor origin to the centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control_response:
     -orig-id: filter.estimation_control_response
     doc: "Estimation control flags response. "
@@ -5550,7 +5570,7 @@ types:
         doc: "Longitude. Unit: deg. Frame: llh."
       - id: altitude
         type: f8
-        doc: "Altitude. Unit: m. Frame: llh."
+        doc: "Altitude. Unit: m."
   filter_gravity_noise_response:
     -orig-id: filter.gravity_noise_response
     doc: "Gravity noise response. "
@@ -5585,7 +5605,7 @@ types:
     seq:
       - id: axes
         type: filter_tare_axes
-        doc: Axes to tare; 0 resets all axes.
+        doc: Axes that are tared.
   filter_enable_measurements_response:
     -orig-id: filter.enable_measurements_response
     doc: "Enable or disable measurements response. "
@@ -5741,7 +5761,7 @@ types:
       - id: aiding_source
         type: u2
         enum: filter_aiding_source
-        doc: "The source; `all` is for save, load and default."
+        doc: The source.
       - id: enable
         type: u1
         doc: Whether the filter uses the source.
@@ -5837,7 +5857,7 @@ types:
       - id: reference_point
         type: u1
         enum: filter_reference_point
-        doc: Point to move; it must be 1.
+        doc: The point.
       - id: lever_arm_offset
         type: vector3f
         doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
@@ -5874,7 +5894,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: max_offset
         type: f4
-        doc: "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1."
+        doc: "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0."
   gnss_receiver_info:
     -orig-id: gnss.receiver_info
     doc: Receiver info. Gets the GNSS receivers of the device.
@@ -5911,7 +5931,7 @@ types:
         doc: "Reserved: send 0."
   gnss_rtk_dongle_config:
     -orig-id: gnss.rtk_dongle_config
-    doc: RTK dongle configuration. Whether the device talks to the RTK dongle that is connected to it.
+    doc: RTK dongle configuration. Switches the communication with a connected RTK dongle on or off.
     seq:
       - id: function_value
         -orig-id: function
@@ -6101,7 +6121,7 @@ types:
         doc: "Reserved: send 0."
   rtk_erase_storage:
     -orig-id: rtk.erase_storage
-    doc: Erase storage. Erases a storage medium down to its raw state.
+    doc: Erase storage. Returns a storage medium to its raw state; everything on it is erased.
     seq:
       - id: media
         type: u1
@@ -6310,8 +6330,8 @@ types:
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
       - id: uncertainty
-        type: vector3f
-        doc: "Uncertainty along north, east and down. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.latitude`, y: `valid_flags.longitude`, z: `valid_flags.height`."
+        type: ned3f
+        doc: "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.latitude`, east: `valid_flags.longitude`, down: `valid_flags.height`."
       - id: valid_flags
         type: aiding_llh_axis_flags
         doc: Which coordinates are valid.
@@ -6364,11 +6384,11 @@ types:
         type: u1
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: velocity
-        type: vector3f
-        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        type: ned3f
+        doc: "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: uncertainty
-        type: vector3f
-        doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
+        type: ned3f
+        doc: "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
       - id: valid_flags
         type: aiding_axis_flags
         doc: Which axes are valid.
@@ -6608,14 +6628,14 @@ types:
     seq:
       - id: m
         type: matrix3f
-        doc: "Rotation from the NED frame to the vehicle frame. Unit: 1."
+        doc: "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned."
   sensor_comp_quaternion:
     -orig-id: sensor.comp_quaternion
     doc: Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame.
     seq:
       - id: q
         type: quatf
-        doc: "Rotation between the NED frame and the vehicle frame. Unit: 1."
+        doc: "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
     doc: Complementary filter orientation update matrix. Change of the attitude from the complementary filter as a matrix.
@@ -6629,13 +6649,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad."
+        doc: "Roll angle. Unit: rad. Frame: ned."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad."
+        doc: "Pitch angle. Unit: rad. Frame: ned."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad."
+        doc: "Yaw angle. Unit: rad. Frame: ned."
   sensor_orientation_raw_temperature:
     -orig-id: sensor.orientation_raw_temperature
     doc: Orientation raw temperatures. Raw readings of four temperature sensors.
@@ -7110,7 +7130,7 @@ types:
         doc: Validity of the values.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
-    doc: Density altitude. Altitude at which the standard atmosphere has the density of the air around the device.
+    doc: Density altitude. The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
     seq:
       - id: density_altitude
         type: f4
@@ -7301,7 +7321,7 @@ types:
     doc: "NED relative position. Estimated position relative to the point that `filter_relative_position_config` sets."
     seq:
       - id: relative_position
-        type: vector3d
+        type: ned3d
         doc: "Relative position. Unit: m. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
@@ -7326,7 +7346,7 @@ types:
         doc: Reserved.
   filter_data_gnss_attitude_aiding_status:
     -orig-id: filter_data.gnss_attitude_aiding_status
-    doc: GNSS attitude aiding status. How the filter uses the attitude that two GNSS antennas give.
+    doc: GNSS attitude aiding status. State of the attitude aiding by two GNSS antennas.
     seq:
       - id: tow
         type: f4
@@ -7484,7 +7504,7 @@ types:
     doc: NED velocity. GNSS velocity in the local level frame.
     seq:
       - id: velocity
-        type: vector3f
+        type: ned3f
         doc: "Velocity. Unit: m/s. Frame: ned. Valid if `valid_flags.velocity` is set."
       - id: speed
         type: f4
@@ -8413,7 +8433,7 @@ types:
         doc: "The three coefficients of the model. Valid if `valid_flags.alpha` is set."
       - id: disturbance_flags
         type: u1
-        doc: "Storm flags of five regions, in bits 1 to 5. Valid if `valid_flags.disturbance_flags` is set."
+        doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
       - id: valid_flags
         type: gnss_1_galileo_iono_correction_flags
         doc: Which values are valid.
@@ -8497,7 +8517,7 @@ types:
         doc: "Ticks. Unit: 1."
   shared_delta_ticks:
     -orig-id: shared.delta_ticks
-    doc: Delta ticks. Base periods since this field was last sent.
+    doc: Delta ticks. Base periods that have passed from the previous field of this kind to this one.
     seq:
       - id: ticks
         type: u4
@@ -11212,7 +11232,7 @@ enums:
   event_threshold_type:
     1:
       id: window
-      doc: The value lies between two thresholds.
+      doc: The value is in a window between two thresholds, or outside of it.
     2:
       id: interval
       doc: The remainder of the value divided by an interval is at most a threshold.
@@ -11874,7 +11894,7 @@ enums:
       doc: Magnetic field that the user sends.
     8:
       id: body_frame_velocity
-      doc: Velocity in the vehicle that the user sends.
+      doc: Velocity in the body (vehicle) frame that the user sends.
     65535:
       id: all
       doc: All sources, for save, load and default.

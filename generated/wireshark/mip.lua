@@ -614,7 +614,7 @@ S["event_trigger_gpio"] = {
 }
 S["event_threshold_window"] = {
   { kind = "scalar", name = "low_threshold", type = "double", size = 8, doc = "Lower threshold, in the unit of the watched value." },
-  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside the window." },
+  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded." },
 }
 S["event_threshold_interval"] = {
   { kind = "scalar", name = "interval_threshold", type = "double", size = 8, doc = "The trigger is active while the remainder is at most this, in the unit of the watched value." },
@@ -848,8 +848,8 @@ field(0x01, { descriptor = 0x89, name = "base.comm_speed_response", role = "resp
     doc = "", least = 5,
     always = 2,
     rows = rows("base.comm_speed_response", {
-      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } },
-      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." },
+      { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } },
+      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     }) })
 field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
     doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order.", least = 2,
@@ -966,7 +966,7 @@ field(0x0C, { descriptor = 0x11, name = "3dm.data_stream_control", role = "comma
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = rows("3dm.data_stream_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the stream is sent. Default: true." }, } },
     }) })
 field(0x0C, { descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
@@ -1008,7 +1008,7 @@ field(0x0C, { descriptor = 0x28, name = "3dm.pps_source_control", role = "comman
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.pps_source_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. Default: receiver_1. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only disabled, gpio and generated." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1." }, } },
     }) })
 field(0x0C, { descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
     doc = "Gets the types of event triggers or actions that the device has, and how many of each.", least = 1,
@@ -1067,7 +1067,7 @@ field(0x0C, { descriptor = 0x2F, name = "3dm.event_action_config", role = "comma
 field(0x0C, { descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device Start Up Settings",
     doc = "Saves, loads or resets all settings of the device at once.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    timeout = 1.0,
+    timeout = 2.0,
     rows = rows("3dm.device_settings", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
     }) })
@@ -1260,7 +1260,7 @@ field(0x0C, { descriptor = 0x85, name = "3dm.data_stream_control_response", role
     doc = "", least = 2,
     always = 2,
     rows = rows("3dm.data_stream_control_response", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "Whether the stream is sent." },
     }) })
 field(0x0C, { descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
@@ -1303,7 +1303,7 @@ field(0x0C, { descriptor = 0x8F, name = "3dm.message_format_response", role = "r
     doc = "", least = 2,
     always = 3,
     rows = rows("3dm.message_format_response", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     }) })
@@ -1576,7 +1576,7 @@ field(0x0C, { descriptor = 0xA8, name = "3dm.pps_source_control_response", role 
     doc = "", least = 1,
     always = 1,
     rows = rows("3dm.pps_source_control_response", {
-      { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. Default: receiver_1." },
+      { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse." },
     }) })
 field(0x0C, { descriptor = 0xB1, name = "3dm.sensor_to_vehicle_transform_euler_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Euler response",
     doc = "", least = 12,
@@ -1611,8 +1611,8 @@ field(0x0C, { descriptor = 0xB5, name = "3dm.event_control_response", role = "re
     doc = "", least = 2,
     always = 2,
     rows = rows("3dm.event_control_response", {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all configured triggers, except for read." },
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "New mode. Default: disabled." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "Mode of the trigger. Default: disabled." },
     }) })
 field(0x0C, { descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get Event Trigger Status response",
     doc = "", least = 1,
@@ -1632,7 +1632,7 @@ field(0x0C, { descriptor = 0xB8, name = "3dm.event_trigger_config_response", rol
     doc = "", least = 2,
     always = 3,
     rows = rows("3dm.event_trigger_config_response", {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all (save, load, default)." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The condition.", cases = {
       [0] = { label = "none" },
@@ -1644,7 +1644,7 @@ field(0x0C, { descriptor = 0xB9, name = "3dm.event_action_config_response", role
     doc = "", least = 3,
     always = 4,
     rows = rows("3dm.event_action_config_response", {
-      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance; 0 means all (save, load, default)." },
+      { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The effect.", cases = {
@@ -1656,7 +1656,7 @@ field(0x0C, { descriptor = 0xC1, name = "3dm.gpio_config_response", role = "resp
     doc = "", least = 4,
     always = 4,
     rows = rows("3dm.gpio_config_response", {
-      { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1; 0 means all pins (save, load, default)." },
+      { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1." },
       { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." },
       { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } },
       { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." },
@@ -1696,10 +1696,10 @@ field(0x0C, { descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "
     always = 5,
     rows = rows("3dm.low_pass_filter_response", {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
-      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." },
+      { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of descriptor_set." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz." },
     }) })
 field(0x0D, { descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
     doc = "Returns the filter to its initialization state.", least = 0,
@@ -1726,7 +1726,7 @@ field(0x0D, { descriptor = 0x05, name = "filter.run", role = "command", title = 
     rows = rows("filter.run", {
     }) })
 field(0x0D, { descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "command", title = "Vehicle dynamics mode",
-    doc = "Kind of vehicle that the filter is tuned for.", least = 1,
+    doc = "Adapts the filter to the motion that it has to expect.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.vehicle_dynamics_mode", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -1753,7 +1753,7 @@ field(0x0D, { descriptor = 0x13, name = "filter.antenna_offset", role = "command
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.antenna_offset", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     }) })
 field(0x0D, { descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
     doc = "Which states the filter estimates.", least = 1,
@@ -1767,10 +1767,10 @@ field(0x0D, { descriptor = 0x15, name = "filter.gnss_source", role = "command", 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.gnss_source", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-GX5-45: only all_internal and external." }, } },
     }) })
 field(0x0D, { descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
-    doc = "Gives the filter one position and velocity of a GNSS receiver that the user provides.", least = 70,
+    doc = "One measurement of position and velocity by a GNSS receiver of the user.", least = 70,
     always = 8,
     rows = rows("filter.external_gnss_update", {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
@@ -1778,9 +1778,9 @@ field(0x0D, { descriptor = 0x16, name = "filter.external_gnss_update", role = "c
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x0D, { descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
@@ -1885,10 +1885,10 @@ field(0x0D, { descriptor = 0x26, name = "filter.reference_position", role = "com
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m. Frame: llh." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
     }) })
 field(0x0D, { descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
-    doc = "Makes the automatic magnetometer calibration part of the fixed one.", least = 1,
+    doc = "Moves what the automatic magnetometer calibration has found into the fixed calibration.", least = 1,
     required = { [1] = 0, [3] = 0, }, silent = { },
     rows = rows("filter.mag_capture_auto_calibration", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -1926,7 +1926,7 @@ field(0x0D, { descriptor = 0x41, name = "filter.enable_measurements", role = "co
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.enable_measurements", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-GX5-15: only accel." }, } },
     }) })
 field(0x0D, { descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
     doc = "Standard deviation of the magnetometer noise that the filter assumes.", least = 1,
@@ -2033,7 +2033,7 @@ field(0x0D, { descriptor = 0x50, name = "filter.aiding_measurement_enable", role
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." }, } },
     }) })
 field(0x0D, { descriptor = 0x51, name = "filter.kinematic_constraint", role = "command", title = "Kinematic constraint",
-    doc = "Assumptions about the motion that the filter uses as measurements.", least = 1,
+    doc = "What the filter may take for granted about the motion, in place of measurements.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.kinematic_constraint", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -2052,8 +2052,8 @@ field(0x0D, { descriptor = 0x52, name = "filter.initialization_config", role = "
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     }) })
 field(0x0D, { descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
@@ -2079,7 +2079,7 @@ field(0x0D, { descriptor = 0x55, name = "filter.relative_position_config", role 
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
     }) })
 field(0x0D, { descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
     doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
@@ -2126,7 +2126,7 @@ field(0x0D, { descriptor = 0x64, name = "filter.gnss_antenna_calibration_control
     rows = rows("filter.gnss_antenna_calibration_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1." }, } },
     }) })
 field(0x0D, { descriptor = 0x80, name = "filter.vehicle_dynamics_mode_response", role = "response", title = "Vehicle dynamics mode response",
     doc = "", least = 1,
@@ -2152,7 +2152,7 @@ field(0x0D, { descriptor = 0x83, name = "filter.antenna_offset_response", role =
     doc = "", least = 12,
     always = 1,
     rows = rows("filter.antenna_offset_response", {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x0D, { descriptor = 0x84, name = "filter.estimation_control_response", role = "response", title = "Estimation control flags response",
     doc = "", least = 2,
@@ -2225,7 +2225,7 @@ field(0x0D, { descriptor = 0x90, name = "filter.reference_position_response", ro
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
-      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m. Frame: llh." },
+      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
     }) })
 field(0x0D, { descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
     doc = "", least = 12,
@@ -2255,7 +2255,7 @@ field(0x0D, { descriptor = 0xA1, name = "filter.tare_orientation_response", role
     doc = "", least = 1,
     always = 1,
     rows = rows("filter.tare_orientation_response", {
-      { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." },
+      { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes that are tared." },
     }) })
 field(0x0D, { descriptor = 0xB0, name = "filter.enable_measurements_response", role = "response", title = "Enable or disable measurements response",
     doc = "", least = 2,
@@ -2352,7 +2352,7 @@ field(0x0D, { descriptor = 0xD0, name = "filter.aiding_measurement_enable_respon
     doc = "", least = 3,
     always = 2,
     rows = rows("filter.aiding_measurement_enable_response", {
-      { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source; `all` is for save, load and default." },
+      { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." },
     }) })
 field(0x0D, { descriptor = 0xD1, name = "filter.kinematic_constraint_response", role = "response", title = "Kinematic constraint response",
@@ -2373,8 +2373,8 @@ field(0x0D, { descriptor = 0xD2, name = "filter.initialization_config_response",
       { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." },
       { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." },
       { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." },
-      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
     }) })
 field(0x0D, { descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
@@ -2397,13 +2397,13 @@ field(0x0D, { descriptor = 0xD5, name = "filter.relative_position_config_respons
     rows = rows("filter.relative_position_config_response", {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." },
-      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
     }) })
 field(0x0D, { descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", role = "response", title = "Reference point lever arm response",
     doc = "", least = 13,
     always = 2,
     rows = rows("filter.reference_point_lever_arm_response", {
-      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to move; it must be 1." },
+      { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "The point." },
       { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x0D, { descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
@@ -2430,7 +2430,7 @@ field(0x0D, { descriptor = 0xE4, name = "filter.gnss_antenna_calibration_control
     always = 2,
     rows = rows("filter.gnss_antenna_calibration_control_response", {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1." },
+      { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0." },
     }) })
 field(0x0E, { descriptor = 0x01, name = "gnss.receiver_info", role = "command", title = "Receiver info",
     doc = "Gets the GNSS receivers of the device.", least = 0,
@@ -2449,7 +2449,7 @@ field(0x0E, { descriptor = 0x02, name = "gnss.signal_config", role = "command", 
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     }) })
 field(0x0E, { descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
-    doc = "Whether the device talks to the RTK dongle that is connected to it.", least = 1,
+    doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("gnss.rtk_dongle_config", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -2558,7 +2558,7 @@ field(0x0F, { descriptor = 0x0A, name = "rtk.service_status", role = "command", 
       { kind = "scalar", name = "reserved2", type = "u32", size = 4, doc = "Reserved: send 0." },
     }) })
 field(0x0F, { descriptor = 0x20, name = "rtk.erase_storage", role = "command", title = "Erase storage",
-    doc = "Erases a storage medium down to its raw state.", least = 1,
+    doc = "Returns a storage medium to its raw state; everything on it is erased.", least = 1,
     always = 1,
     rows = rows("rtk.erase_storage", {
       { kind = "scalar", name = "media", type = "u8", size = 1, enum = E["rtk.storage_medium"], doc = "The medium." },
@@ -2675,7 +2675,7 @@ field(0x13, { descriptor = 0x22, name = "aiding.llh_position", role = "command",
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.latitude is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty along north, east and down. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: valid_flags.latitude, y: valid_flags.longitude, z: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
     }) })
 field(0x13, { descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
@@ -2704,8 +2704,8 @@ field(0x13, { descriptor = 0x29, name = "aiding.ned_velocity", role = "command",
     rows = rows("aiding.ned_velocity", {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
     }) })
 field(0x13, { descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
@@ -2849,13 +2849,13 @@ field(0x80, { descriptor = 0x09, name = "sensor.comp_orientation_matrix", role =
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
     rows = rows("sensor.comp_orientation_matrix", {
-      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
     rows = rows("sensor.comp_quaternion", {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
     doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
@@ -2867,9 +2867,9 @@ field(0x80, { descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = rows("sensor.comp_euler_angles", {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned." },
     }) })
 field(0x80, { descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
     doc = "Raw readings of four temperature sensors.", least = 8,
@@ -3182,7 +3182,7 @@ field(0x82, { descriptor = 0x21, name = "filter_data.pressure_altitude", role = 
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
-    doc = "Altitude at which the standard atmosphere has the density of the air around the device.", least = 6,
+    doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
     always = 2,
     plain = true,
     rows = rows("filter_data.density_altitude", {
@@ -3311,7 +3311,7 @@ field(0x82, { descriptor = 0x42, name = "filter_data.ned_relative_position", rol
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = rows("filter_data.ned_relative_position", {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
@@ -3324,7 +3324,7 @@ field(0x82, { descriptor = 0x43, name = "filter_data.gnss_position_aiding_status
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x82, { descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
-    doc = "How the filter uses the attitude that two GNSS antennas give.", least = 14,
+    doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
     always = 3,
     rows = rows("filter_data.gnss_attitude_aiding_status", {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
@@ -3413,7 +3413,7 @@ field(0x91, { descriptor = 0x05, name = "gnss_1.ned_velocity", role = "data", ti
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = rows("gnss_1.ned_velocity", {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if valid_flags.heading is set." },
@@ -3806,7 +3806,7 @@ field(0x91, { descriptor = 0x73, name = "gnss_1.galileo_iono_correction", role =
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Storm flags of five regions, in bits 1 to 5. Valid if valid_flags.disturbance_flags is set." },
+      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.galileo_iono_correction_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x74, name = "gnss_1.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
@@ -3860,7 +3860,7 @@ field(0xFF, { descriptor = 0xD1, name = "shared.ticks", role = "data", title = "
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },
     }) })
 field(0xFF, { descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
-    doc = "Base periods since this field was last sent.", least = 4,
+    doc = "Base periods that have passed from the previous field of this kind to this one.", least = 4,
     always = 1,
     rows = rows("shared.delta_ticks", {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },

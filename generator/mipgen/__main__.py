@@ -1,12 +1,16 @@
 """The program: `python -m mipgen`, and `mipgen` where it is installed."""
 
 import gc
+import io
 import sys
 
 from .cli import main
 
 
 def run() -> int:
+    for stream in (sys.stdout, sys.stderr):  # a name that the terminal cannot show is shown in another way
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     gc.disable()  # a run is short, and little of it becomes garbage; looking for it takes a tenth of a second
     return main()
 

@@ -21,7 +21,19 @@ TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies, clocks, fields_of):
+    for check in (
+        fields,
+        set_numbers,
+        descriptors,
+        named,
+        names,
+        words,
+        enumerations,
+        bitfields,
+        replies,
+        clocks,
+        fields_of,
+    ):
         check(model, problems)
 
 
@@ -29,6 +41,12 @@ def check_evidence(model: m.Model, problems: Problems) -> None:
     """Checks that make sense only once the definitions are right."""
     for check in (descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
+
+
+def fields(model: m.Model, problems: Problems) -> None:
+    """Pages and packages begin with a field."""
+    if not model.fields:
+        problems.add(model.protocol.acknowledge.position, "no set has a field; write one, in a file of sets/")
 
 
 def fields_of(model: m.Model, problems: Problems) -> None:

@@ -44,9 +44,9 @@ def main(arguments: list[str] | None = None) -> int:
     if options.run is None:
         known.print_help()
         return 0
-    from . import commands
-
     try:
+        from . import commands
+
         return int(getattr(commands, options.run)(options))
     except Failure as failure:
         print(failure, file=sys.stderr)
@@ -54,6 +54,9 @@ def main(arguments: list[str] | None = None) -> int:
         if count:
             print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("mipgen: interrupted; run it again", file=sys.stderr)
+        return 130
     except BrokenPipeError:  # the reader has stopped, as `head` does
         sys.stderr.close()
         return 1
@@ -96,7 +99,7 @@ def parser() -> argparse.ArgumentParser:
         return added
 
     new = command("new", "new", "write a small specification to start from")
-    new.add_argument("folder", type=Path, metavar="FOLDER", help="a new or empty folder")
+    new.add_argument("folder", type=folder, metavar="FOLDER", help="a new or empty folder")
 
     validate = command("validate", "validate", "check a specification and write nothing")
     _spec(validate)
@@ -132,7 +135,7 @@ def parser() -> argparse.ArgumentParser:
     )
     audit.add_argument(
         "--sdk",
-        type=Path,
+        type=folder,
         metavar="FOLDER",
         help="facts about the vendor's SDK and devices: layouts.yaml, names.yaml, models.yaml, devices.yaml",
     )
@@ -146,10 +149,17 @@ def parser() -> argparse.ArgumentParser:
     return made
 
 
+def folder(text: str) -> Path:
+    """A path; an empty one is a variable of a shell that is not set, and not the current folder."""
+    if not text:
+        raise argparse.ArgumentTypeError("it is empty; name a folder ('.' is the current one)")
+    return Path(text)
+
+
 def _spec(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--spec",
-        type=Path,
+        type=folder,
         action="append",
         metavar="FOLDER",
         help="folder of the specification (default: ./spec); further ones are overlays of the first",
@@ -169,7 +179,7 @@ def _part(command: argparse.ArgumentParser) -> None:
 def _out(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--out",
-        type=Path,
+        type=folder,
         default=Path("generated"),
         metavar="FOLDER",
         help="folder of the output (default: ./generated)",
@@ -192,7 +202,7 @@ def _target_path(group: Any) -> None:
     group.add_argument(
         "--target-path",
         action="append",
-        type=Path,
+        type=folder,
         default=[],
         metavar="FOLDER",
         help="folder of your own targets, or of templates that replace built-in ones; may be repeated",

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import discovery, resources, stamp
+from . import discovery, output, resources, stamp
 from .errors import Failure
 
 #: The options that select a part of a specification.
@@ -65,23 +65,25 @@ def generate(options: Namespace) -> int:
 
 
 def check(options: Namespace) -> int:
-    from . import build, render
+    from . import build
 
     sources, _ = _asked(options)
     model, summary = _load(options)
     outputs = build.make(model, sources)
     print(summary)
-    found = 0
-    for output in outputs:
-        for difference in render.compare(output.files, options.out / output.name):
-            place = options.out / output.name / difference.path
-            print(f"{place}: error: {difference.what}", file=sys.stderr)
-            found += 1
+    found = [(options.out / o.name, d) for o in outputs for d in output.compare(o.files, options.out / o.name)]
+    for folder, difference in found:
+        print(f"{folder / difference.path}: error: {difference.what}", file=sys.stderr)
+    others = sum(d.what in output.OTHERS for _, d in found)
+    if others:
+        it = "it" if others == 1 else "them"
+        print(f"mipgen: {_count(others, 'file')} that mipgen did not write; move or delete {it}", file=sys.stderr)
+    if len(found) > others:
+        wrong = _count(len(found) - others, "file")
+        print(f"mipgen: {wrong} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
     if not found:
         print(f"{options.out} is up to date")
-        return 0
-    print(f"mipgen: {_count(found, 'file')} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
-    return 1
+    return 1 if found else 0
 
 
 def _given(options: Namespace) -> str:
@@ -126,17 +128,17 @@ def _real(path: Path) -> Path:
 
 def _write(options: Namespace, outputs: list[Output]) -> list[int]:
     """Writes all files; the number of changed ones for each target. Files of a user are kept."""
-    from . import render
-
+    folders = {options.out / o.name: o.files for o in outputs}
     try:
-        foreign = [options.out / o.name / p for o in outputs for p in render.foreign(o.files, options.out / o.name)]
+        found = {folder: output.compare(files, folder) for folder, files in folders.items()}
+        foreign = [folder / d.path for folder, several in found.items() for d in several if d.what == "foreign"]
         if not foreign:
-            return [len(render.write(o.files, options.out / o.name)) for o in outputs]
+            return [len(output.write(files, folder, found[folder])) for folder, files in folders.items()]
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
     listed = "".join(f"\n  {path}" for path in foreign)
     raise Failure(
-        f"these files would be replaced, and no {discovery.MANIFEST} says that mipgen wrote them; "
+        f"these would be replaced, and no {discovery.MANIFEST} of mipgen lists them; "
         f"move or delete them, or choose another --out:{listed}",
         str(options.out),
     )
@@ -190,7 +192,7 @@ def _count(number: int, one: str, several: str = "") -> str:
 
 def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
     if key == _asked(options)[1]:  # the input has not changed meanwhile
-        stamp.remember(key, summary, {output.name: (output.title, output.files) for output in outputs})
+        stamp.remember(key, summary, {o.name: (o.title, o.files) for o in outputs})
 
 
 def diff(options: Namespace) -> int:
@@ -288,7 +290,7 @@ def new(options: Namespace) -> int:
             (folder / path).write_bytes(file.read_bytes())
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
-    named = "" if folder == Path("spec") else f" --spec {folder}"
+    named = "" if folder == Path("spec") else f" --spec {shlex.quote(str(folder))}"
     print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
     return 0
 
@@ -307,7 +309,7 @@ def completion(options: Namespace) -> int:
 
     parser = cli.parser()
     for action in _actions(parser):
-        if action.type is Path:
+        if action.type is cli.folder:
             action.complete = shtab.DIRECTORY
         elif action.dest == "targets":
             action.complete = shtab.cmd("mipgen targets --names")

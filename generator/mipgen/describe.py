@@ -215,8 +215,6 @@ def _of_parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
     if p.tag:
         found.append(_fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
-    if isinstance(p.element, m.Vector):
-        found.append(_fact("elements", (", ".join(p.element.elements),), "Elements: {}."))
     if p.fields_of:
         found.append(_fact("fields_of", (_owner(p, beside, record, model),), "Refers to fields of {}."))
     found += _measures(p, p, model)
@@ -236,7 +234,11 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: Record, model
 
 
 def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """Unit, frame, range and default: of a parameter, or of a variant of it."""
+    """Elements, unit, frame, range and default: of a parameter, or of a variant of it."""
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    elements = of.elements if isinstance(of, m.Variant) else own
+    if elements:
+        yield _fact("elements", (", ".join(elements),), "Elements: {}.")
     if of.units:
         yield _fact("unit", (", ".join(of.units),), "Unit: {}." if len(of.units) == 1 else "Units: {}.")
     if of.frame:
@@ -542,6 +544,16 @@ def number(value: object) -> str:
     ('2.5', '10', '7')
     """
     return str(int(value)) if isinstance(value, float) and value.is_integer() and abs(value) < 1e15 else str(value)
+
+
+def measured(number: str, unit: str | None, model: m.Model) -> str:
+    """A number, or several, with the unit, as one writes it: 3 m, week 2412, 253 bytes."""
+    word = next((w for w in model.protocol.units if w.symbol == unit), None)
+    if word is None or word.symbol == "1":
+        return number
+    if word.numbered:
+        return f"{word.symbol} {number}"
+    return f"{number} {word.plural if word.plural and number != '1' else word.symbol}"
 
 
 def joined(items: Sequence[Text], last: str = "and") -> Text:

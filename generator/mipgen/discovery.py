@@ -51,7 +51,10 @@ class Source:
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
-        spec.loader.exec_module(module)
+        try:
+            spec.loader.exec_module(module)
+        except SyntaxError as error:
+            raise Failure(f"not Python: {error.msg}", f"{error.filename}:{error.lineno}") from None
         missing = [c for c in CONTENTS if not hasattr(module, c)]
         if missing:
             raise Failure(f"a target must have {' and '.join(missing)}", str(self.module))

@@ -107,6 +107,11 @@ class _Example:
         keys = [k for k in ("packet", "bytes", "string", "table") if k in self.node]
         # A string with half a byte cannot be right; `checks.differences` requires its erratum.
         keys = [k for k in keys if k != "string" or _digits(self.node[k].value) % 2 == 0]
+        if not keys and "string" in self.node and "set" not in self.node:
+            raise Wrong(
+                self.node["string"].position,
+                "'string' has half a byte; if the manual shows it this way, give the correct bytes in 'packet'",
+            )
         if not keys:
             return self.computed()
         place = self.node[keys[0]].position

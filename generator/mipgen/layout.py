@@ -387,13 +387,19 @@ class _Build:
         above, below = meaning.open_limits(node, p, low, high, self.problem)
         magnitude = meaning.magnitude(node, p, self.problem)
         p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
+        frame = meaning.frame(node, words.frames, self.problem)
+        elements = meaning.elements(p, frame, words.frames)
+        if elements and isinstance(p.element, m.Vector):
+            wanted = f"vectors in the frame {frame} have the elements {', '.join(elements)}"
+            remedy = f"{p.element.name} has {', '.join(p.element.elements)}; use another type"
+            self.problem(node["type"].position, f"{wanted}, but {remedy}")
         return replace(
             p,
             reserved=meaning.reserved(node, p, self.problem),
             description=node.scalar("description", ""),
             units=meaning.units(node, p, words.units, self.problem),
             any_unit="unit" in node and node["unit"].value is None,
-            frame=meaning.frame(node, words.frames, self.problem),
+            frame=frame,
             default=meaning.default(node, p, self.problem),
             shown=node.scalar("shown"),
             fields_of=node.scalar("fields_of", ""),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +60,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
     """The files of one folder, perhaps an overlay. Files that were found valid before are not checked again."""
     documents, judged = [], {}
     for kind, pattern in layout.items():
-        for path in sorted(folder.glob(pattern)):
+        for path in _visible(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
             root = read(path, shown(path), problems)
             if root is None:
@@ -96,15 +96,30 @@ def shown(path: Path) -> str:
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
+def _visible(paths: Iterable[Path]) -> list[Path]:
+    """In order; hidden files are those of editors and systems, such as `.#tools.yaml`."""
+    return sorted(path for path in paths if path.name[0] != ".")
+
+
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """Reports files in the wrong place, which would be ignored silently."""
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
     made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
-    for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
+    for path in _visible(spec.rglob("*.*")):
+        if path.suffix.lower() not in (".yaml", ".yml") or path in known:
+            continue
         if not made.isdisjoint(path.parents):
             continue
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
+
+
+def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
+    """JSON Schema's `$` is the end of the text; Python's is also before a line break at its end."""
+    import jsonschema
+
+    if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
+        yield jsonschema.ValidationError(f"{value!r} does not match {pattern!r}")
 
 
 def _is_integer(_: Any, value: Any) -> bool:
@@ -123,7 +138,7 @@ def _validators(over: bool) -> dict[str, Any]:
 
     types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
     extend: Any = jsonschema.validators.extend
-    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
     if over:

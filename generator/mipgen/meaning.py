@@ -60,11 +60,18 @@ def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) 
     return tuple(entry.value for entry in entries)
 
 
-def frame(node: Node, known: set[str], problem: Problem) -> str | None:
+def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
     found: str | None = node.scalar("frame")
     if found is not None and found not in known:
         problem(node["frame"].position, unknown("frame", found, known, "protocol.yaml"))
     return found
+
+
+def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """What a vector has in a frame, if not the elements of its type; matrices and quaternions have the same in all."""
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    found = frames.get(frame or "", ())
+    return found if len(found) == len(own) and found != own else ()
 
 
 def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:

@@ -240,6 +240,7 @@ class Variant:
     value: int | None = None  # the number of that value; None if it is by device
     member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
+    elements: tuple[str, ...] = ()  # of a vector, in its frame
     units: tuple[str, ...] = ()
     frame: str | None = None
     minimum: float | int | None = None
@@ -763,6 +764,9 @@ class Word:
     symbol: str
     title: str
     description: str
+    plural: str = ""  # of a unit that is a word: what more than one are called
+    numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
+    elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
 
 
 @dataclass(frozen=True, slots=True)
@@ -920,6 +924,11 @@ class Model:
         known = {d.id for d, s in found if s.evidence is None}
         names = known if certain else {d.id for d, _ in found} - known
         return tuple(d for d in self.devices if d.id in names)
+
+    def taken(self, command: Field) -> tuple[Function, ...]:
+        """The functions that at least one device takes; all of them where no device is known."""
+        found = [x for _, s in self.supports(command) for x in s.functions]
+        return tuple(x for x in command.functions if x in found) or command.functions
 
     def device(self, id: str) -> Device | None:
         return next((d for d in self.devices if d.id == id), None)

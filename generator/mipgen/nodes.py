@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -29,6 +30,9 @@ _NUMERIC = frozenset("+-.0123456789")
 _DECIMAL = re.compile(r"-?(0|[1-9][0-9]*)")
 _HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]+")
 _FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
+
+#: Kinds of characters that control devices, lines and directions instead of being seen.
+_CONTROLS = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 
 _SEPARATOR = re.compile(r"(?<=[0-9A-Fa-fxX])_(?=[0-9A-Fa-f])")
 _BARE = re.compile(r"(-?)0*((?=\.?[0-9])[0-9]*)(\.[0-9]*)?([eE][-+]?[0-9]+)?")
@@ -175,6 +179,7 @@ class _Reader:
         if depth > MAX_DEPTH:
             raise _TooDeep
         if isinstance(event, yaml.ScalarEvent):
+            self.check(event.value)
             found = Node(event.value if event.style else self.scalar(event.value), position)
         elif isinstance(event, yaml.SequenceStartEvent):
             found = Node(list(self.sequence(depth)), position)
@@ -183,6 +188,13 @@ class _Reader:
         if event.anchor is not None:
             self.anchors[event.anchor] = found
         return found
+
+    def check(self, text: str) -> None:
+        """What no text may hold, because languages refuse it even in comments: a line break is the only control."""
+        if not text.isprintable():
+            for sign in sorted({c for c in text if c != "\n" and unicodedata.category(c) in _CONTROLS}):
+                name = unicodedata.name(sign, "a control character").lower()
+                self.complain(f"the text holds U+{ord(sign):04X}, {name}; remove it")
 
     def scalar(self, text: str) -> Any:
         plain = _rewritten(text)
@@ -206,7 +218,7 @@ class _Reader:
                 self.node(event, depth + 1)
                 self.node(self.next(), depth + 1)
                 continue
-            key = event.value
+            self.check(key := event.value)
             value = self.node(self.next(), depth + 1)
             if key in mapping:
                 again = item and key == next(iter(mapping))

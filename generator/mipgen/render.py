@@ -1,21 +1,19 @@
-"""Renders a target: templates and runtime files in, a folder out.
+"""Renders a target: templates and runtime files in, the files of a folder out.
 
-Everything is made in memory first, so that a failing run leaves nothing half-written. Only changed
-files are written, and obsolete files of earlier runs are removed.
+Everything is made in memory first, so that a failing run leaves nothing half-written; `output` writes it.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
+from pathlib import PurePosixPath
 from typing import Any, Protocol
 
 import yaml
 
-from . import discovery, formatting, resources
+from . import discovery, formatting, output, resources
 from .discovery import MANIFEST, Source
 from .errors import Failure
 from .model import Model
@@ -85,13 +83,15 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     made = _runtime(source)
     made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
-        if file.path in made:
+        if PurePosixPath(file.path).is_absolute() or ".." in PurePosixPath(file.path).parts:
+            raise Failure(f"{file.path} is outside of its folder", f"target {source.name}")
+        if file.path in made or file.path == MANIFEST:
             raise Failure(f"{file.path} is made twice", f"target {source.name}")
         made[file.path] = templates(file.target).render(file.template, file.context, file.path).encode("utf-8")
     formatter = getattr(module, "FORMATTER", None)
     if formatter is not None:
         made = formatting.formatted(formatter, made)
-    made[MANIFEST] = "".join(f"{path}\n" for path in sorted(made)).encode("utf-8")
+    made[MANIFEST] = output.manifest(made)
     return made
 
 
@@ -103,65 +103,3 @@ def _runtime(source: Source) -> dict[str, bytes]:
         if runtime.is_dir():
             made |= {path: file.read_bytes() for path, file in resources.files(runtime)}
     return made
-
-
-@dataclass(frozen=True, slots=True)
-class Difference:
-    path: str
-    what: str  # "missing", "changed", "stale" or "untracked"
-
-
-def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
-    """How a folder differs from what it should hold."""
-    there = _present(folder)
-    found = [
-        Difference(p, "missing" if p not in there else "changed")
-        for p in sorted(made)
-        if p not in there or (folder / p).read_bytes() != made[p]
-    ]
-    stale = _manifest(folder)
-    found += [Difference(p, "stale" if p in stale else "untracked") for p in sorted(there - made.keys())]
-    return found
-
-
-def foreign(made: Mapping[str, bytes], folder: Path) -> list[str]:
-    """The files of a user that would be replaced: they differ, and no earlier run wrote them."""
-    ours = _manifest(folder) | {MANIFEST}
-    others = (p for p in sorted(made.keys() - ours) if (folder / p).is_file())
-    return [p for p in others if (folder / p).read_bytes() != made[p]]
-
-
-def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
-    """Makes the folder hold these files. Files that a user added are kept."""
-    done = []
-    for d in compare(made, folder):
-        path = folder / d.path
-        if d.what in ("missing", "changed"):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            part = path.with_name(f"{path.name}.{os.getpid()}.part")
-            part.write_bytes(made[d.path])
-            part.replace(path)
-            done.append(d)
-        elif d.what == "stale":
-            path.unlink()
-            done.append(d)
-            for parent in path.parents:
-                if parent == folder or any(parent.iterdir()):
-                    break
-                parent.rmdir()
-    return done
-
-
-def _present(folder: Path) -> set[str]:
-    """The files of a folder, without those of build tools."""
-    ignored = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache", ".pytest_cache"}
-    return {
-        p.relative_to(folder).as_posix()
-        for p in folder.rglob("*")
-        if p.is_file() and not ignored.intersection(p.relative_to(folder).parts) and ".egg-info" not in str(p)
-    } if folder.is_dir() else set()  # fmt: skip
-
-
-def _manifest(folder: Path) -> set[str]:
-    path = folder / MANIFEST
-    return set(path.read_text("utf-8", "replace").splitlines()) if path.is_file() else set()

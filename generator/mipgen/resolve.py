@@ -61,7 +61,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
         units=list(root["units"].value),
-        frames=set(root["frames"].value),
+        frames={name: _names(n.get("elements")) for name, n in root["frames"].items()},
         manuals={x.id: x for x in manuals},
         devices={d["device"].value for d in roots["device"]},
         functions=functions,
@@ -181,4 +181,18 @@ def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:
-    return tuple(m.Word(s, n["title"].value, n.scalar("description", "")) for s, n in node.items())
+    return tuple(
+        m.Word(
+            symbol=symbol,
+            title=n["title"].value,
+            description=n.scalar("description", ""),
+            plural=n.scalar("plural", ""),
+            numbered=n.scalar("numbered", False),
+            elements=_names(n.get("elements")),
+        )
+        for symbol, n in node.items()
+    )
+
+
+def _names(node: Node | None) -> tuple[str, ...]:
+    return tuple(node.plain()) if node else ()

@@ -19,12 +19,11 @@ RELEASES = "v[0-9]*"
 @contextmanager
 def folder(name: str, spec: Path) -> Iterator[Path]:
     """The folder of that name; else that of `spec` in the revision of that name, for as long as it is needed."""
-    if Path(name).is_dir():
+    if name and Path(name).is_dir():
         yield Path(name)
         return
-    top = Path(
-        _git(spec, "rev-parse", "--show-toplevel", fails=f"{spec} is not in a Git repository; name a folder").strip()
-    )
+    neither = f"there is no folder '{name}', and no revision, because {spec} is not in a Git repository; name a folder"
+    top = Path(_git(spec, "rev-parse", "--show-toplevel", fails=neither).strip())
     commit = _git(
         top,
         "rev-parse",

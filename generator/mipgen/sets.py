@@ -114,6 +114,7 @@ class Sets:
             self.problems.add(listed.position, f"parameters: '{listed.value}' is neither a list nor as_command")
             return None
         nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
+        nodes = self.described(node, nodes, command, plain)
         record = self.types.record(nodes, command.set_name, plain=plain, whole=node)
         lengths = node.get("lengths")
         for manual in lengths.value if lengths else ():
@@ -144,6 +145,26 @@ class Sets:
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
             short=short_name(node, name, self.problems) or usual, position=node.position,
         )  # fmt: skip
+
+    def described(self, node: Node, nodes: list[Node], command: m.Field, plain: bool) -> list[Node]:
+        """The parameters of a response, with its own descriptions of those that it has from its command."""
+        own = node.get("descriptions")
+        if own is None:
+            return nodes
+        if not plain:
+            place = node.keys["descriptions"]
+            remedy = "give each parameter its own description"
+            self.problems.add(place, f"descriptions are for a response with parameters: as_command; {remedy}")
+            return nodes
+        nodes = list(self.types.included(nodes, command.set_name))
+        known = [n["name"].value for n in nodes]
+        for name in own.value:
+            if name not in known:
+                self.problems.add(own.keys[name], f"the command has no parameter '{name}'{nearest(name, known)}")
+        return [
+            Node({**n.value, "description": own[name]}, n.position, n.keys) if (name := n["name"].value) in own else n
+            for n in nodes
+        ]
 
     def devices(self, node: Node | None) -> tuple[str, ...]:
         """The devices that send a layout."""

@@ -82,19 +82,24 @@ class Simulation:
     behaviors: tuple[Behavior, ...] = ()
 
     def only(self, fields: dict[str, Field]) -> Simulation:
-        """The part that is about these fields.
+        """The part that is about these fields, as they are given here.
 
         Commands whose common setting is not among them share it as before: the first one keeps it.
         """
         behaviors: list[Behavior] = []
         keepers: dict[tuple[str, tuple[tuple[str, int], ...]], str] = {}
         for b in self.behaviors:
-            if b.command.full_name not in fields:
+            command = fields.get(b.command.full_name)
+            if command is None:
                 continue
+            layouts = ((name, fields.get(f"{command.set_name}.{name}")) for name, _ in b.answers)
+            b = replace(b, command=command, answers=tuple((name, f.devices) for name, f in layouts if f is not None))
             if not b.setting or b.setting in fields:
                 behaviors.append(b)
-            elif b.command.functions:  # else it only acts on the setting, which is not there
-                keeper = keepers.setdefault((b.setting, b.key), b.command.full_name)
-                behaviors.append(replace(b, setting="" if keeper == b.command.full_name else keeper, key=()))
-        sources = tuple(s for s in self.sources if s.field.full_name in fields)
+            elif command.functions:  # else it only acts on the setting, which is not there
+                keeper = keepers.setdefault((b.setting, b.key), command.full_name)
+                behaviors.append(replace(b, setting="" if keeper == command.full_name else keeper, key=()))
+        sources = tuple(
+            replace(s, field=fields[s.field.full_name]) for s in self.sources if s.field.full_name in fields
+        )
         return Simulation(self.quantities, self.effects, sources, tuple(behaviors))

@@ -22,7 +22,7 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
         for name, n, _ in _entries(roots, "effects", problems)
     )
-    factors = {symbol: next(iter(n["equals"].plain().items())) for symbol, n in units.items() if "equals" in n}
+    factors = {symbol: _equal(n["equals"], units, problems) for symbol, n in units.items() if "equals" in n}
     values = _Values(model, {q.name: q for q in quantities}, factors, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
     sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
@@ -32,6 +32,14 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
     others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in known)
     behaviors += (b for b in others if b.answers)
     return Simulation(quantities, effects, tuple(s for s in sources if s is not None), tuple(behaviors))
+
+
+def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
+    """The unit in which the size of another is given, and how many of it."""
+    ((other, n),) = node.items()
+    if other not in units:
+        problems.add(node.keys[other], meaning.unknown_unit(other, units.value))
+    return other, n.value
 
 
 def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:

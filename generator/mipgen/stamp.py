@@ -15,7 +15,7 @@ from functools import cache as once
 from pathlib import Path
 from typing import Any
 
-from . import cache, resources
+from . import cache, output, resources
 
 TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
 
@@ -56,18 +56,23 @@ def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mappi
 
 
 def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
-    """The output of this input, if all files exist unchanged."""
+    """The output of this input, if all files exist unchanged, and none that is half-written."""
     data = None if name is None else cache.get("made", name)
     if data is None:
         return None
     found: dict[str, Any] = json.loads(data)
     for target, made in found["targets"].items():
-        for path, digest in made["files"].items():
-            try:
-                if _digest(((out or Path()) / target / path).read_bytes()) != digest:
+        folder = (out or Path()) / target
+        try:
+            for path, digest in made["files"].items():
+                if (
+                    not (folder / path).is_file() or _digest((folder / path).read_bytes()) != digest
+                ):  # a pipe never ends
                     return None
-            except OSError:
-                return None
+        except OSError:
+            return None
+        if output.unfinished(made["files"], folder):
+            return None
     return found
 
 

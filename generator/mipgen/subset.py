@@ -58,6 +58,16 @@ def _check(model: m.Model, selection: Selection) -> None:
                 meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
                 near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
                 raise Failure(f"unknown {what} '{name}'{near}")
+    for what, asked in (("set", selection.sets), ("field", selection.fields)) if selection.devices else ():
+        for name in asked:
+            fields = [f for f in model.fields if name == (f.set_name if what == "set" else f.full_name)]
+            having = {d.id for f in fields for d in (*model.devices_of(f), *model.devices_of(f, certain=False))}
+            if having.isdisjoint(selection.devices):
+                others = [d.id for d in model.devices if d.id in having]
+                raise Failure(
+                    f"the {what} '{name}' is of no selected device; leave it out, or "
+                    + (f"name a device that has it: {', '.join(others)}" if others else "select no device")
+                )
 
 
 def _meant(model: m.Model, word: str) -> list[str]:

@@ -54,7 +54,8 @@ class Typical:
         if needed and all(p.name in printed for p in needed):
             tags = {q.tag for q in needed}  # what a union holds depends on them
             own = {p.name: p.typical for p in needed if p.typical is not None and p.name not in tags}
-            return found | {p.name: printed[p.name] for p in needed} | own
+            values = found | {p.name: printed[p.name] for p in needed} | own
+            return values | {p.name: len(values[p.counts]) for p in needed if p.counts is not None}
         return found | _Record(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
@@ -115,8 +116,13 @@ class Typical:
 
     def shown(self, f: m.Field) -> list[m.Call]:
         """The ways to send a command that show how it is used: its first one, and the first that requests values."""
-        asking = next((c for c in f.calls if self.replies(f, c)), f.calls[0])
-        return [f.calls[0]] if asking is f.calls[0] else [f.calls[0], asking]
+        calls = self.sent(f)
+        asking = next((c for c in calls if self.replies(f, c)), calls[0])
+        return [calls[0]] if asking is calls[0] else [calls[0], asking]
+
+    def sent(self, f: m.Field) -> list[m.Call]:
+        """The ways to send a field that some device takes."""
+        return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
         """What answers a command that is sent in this way."""

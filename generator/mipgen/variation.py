@@ -93,13 +93,15 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
         return m.Variant(by, key, value, unknown=True)
     low, high = meaning.limits(node, p, problem)
     reading = _reading(node, p, scope)
+    frame = meaning.frame(node, words.frames, problem)
     return m.Variant(
         by=by,
         key=key,
         value=value,
         type=reading,
         units=meaning.units(node, p, words.units, problem),
-        frame=meaning.frame(node, words.frames, problem),
+        elements=meaning.elements(p, frame, words.frames),
+        frame=frame,
         minimum=low,
         maximum=high,
         default=meaning.default(node, replace(p, minimum=low, maximum=high), problem),

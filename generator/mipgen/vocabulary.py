@@ -16,7 +16,7 @@ class Vocabulary:
     """Units, frames, manuals, devices and function selectors."""
 
     units: Collection[str]
-    frames: set[str]
+    frames: dict[str, tuple[str, ...]]  # and the elements of vectors in them, if not x, y, z
     manuals: dict[str, m.Manual]
     devices: set[str]
     functions: tuple[m.Function, ...]

@@ -3,6 +3,7 @@
 //!     cargo run --example stream --features std -- /dev/ttyACM0
 
 use std::error::Error;
+use std::io::{stdout, Write};
 use std::time::Duration;
 
 use mip_protocol::device::{Device, StdPort};
@@ -23,7 +24,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     while device.next_packet(0)?.is_some() {} // what it sent before
     let info = device.request(&base::GetDeviceInfo::new())?.device_info;
     let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
-    println!("{}, {base_rate} Hz", info.model_name);
+    let mut out = stdout().lock();
+    writeln!(out, "{}, {base_rate} Hz", info.model_name)?;
 
     let decimation = (base_rate / RATE).max(1);
     let fields = [shared::GpsTimestamp::DESCRIPTOR, sensor::ScaledAccel::DESCRIPTOR];
@@ -37,11 +39,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let packet = device.next_packet(2000)?.ok_or("no data")?;
         let Some(accel) = packet.find::<sensor::ScaledAccel>().transpose()? else { continue };
         match packet.find::<shared::GpsTimestamp>().transpose()? {
-            Some(time) if time.valid_flags.tow() => print!("{:.3} s", time.tow),
-            _ => print!("no time"), // before the receiver has a fix
+            Some(time) if time.valid_flags.tow() => write!(out, "{:.3} s", time.tow)?,
+            _ => write!(out, "no time")?, // before the receiver has a fix
         }
         let [x, y, z]: [f32; 3] = accel.scaled_accel.into();
-        println!(": {x:8.4} {y:8.4} {z:8.4} g");
+        writeln!(out, ": {x:8.4} {y:8.4} {z:8.4} g")?;
         count += 1;
     }
     Ok(())

@@ -89,6 +89,12 @@ def prose(text: str, of: m.Model) -> str:
     return seen(describe.prose(text, of))
 
 
+def limited(limit: m.Limit) -> str:
+    """The value of a limit."""
+    unit = "bytes" if limit.unit == "byte" and limit.value != 1 else limit.unit or ""
+    return f"{limit.value:.15g} {unit}".strip()
+
+
 @dataclasses.dataclass(frozen=True)
 class Place:
     """A parameter in a table: its path, and the record that it belongs to."""

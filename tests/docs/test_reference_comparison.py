@@ -7,7 +7,7 @@ import re
 import pytest
 from mipgen import describe
 from mipgen import model as m
-from reference import Manual, number, seen, tables, words
+from reference import Manual, limited, number, prose, seen, tables, words
 from support import model
 from test_reference_things import letters
 
@@ -138,10 +138,13 @@ def test_ports(manual: Manual) -> None:
 
 def test_limits(manual: Manual) -> None:
     rows = matrix(manual, "compare/rates.md", "Limits")
-    assert set(rows) == {x.name.replace("_", " ") for d in compared(manual) for x in d.limits}
-    for name, row in rows.items():
+    named = {text.rpartition("(")[2].rstrip(")"): row for text, row in rows.items()}
+    assert set(named) == {x.name for d in compared(manual) for x in d.limits}
+    told = {prose(x.description.rstrip("."), manual.model) for d in compared(manual) for x in d.limits}
+    assert {text.rpartition(" (")[0] for text in rows} <= told
+    for name, row in named.items():
         for d in compared(manual):
-            said = [f"{x.value:.15g} {x.unit or ''}".strip() for x in d.limits if x.name.replace("_", " ") == name]
+            said = [limited(x) for x in d.limits if x.name == name]
             assert row[d.id] == (said[0] if said else "?" if d.incomplete else "–")
 
 

@@ -122,6 +122,34 @@ def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:
         assert {f"#{name})" for name in had - has} <= set(re.findall(r"#[\w.]+\)", told))
 
 
+def section(text: str, title: str) -> str:
+    return text.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+
+
+def test_a_migration_names_what_is_not_the_same(manual: Manual) -> None:
+    """Values that have another meaning, those of responses included; functions that are not taken; all that is new."""
+    of = manual.model
+    for move, guide in ((g.migration, g) for g in of.guides if g.migration is not None):
+        page = page_of(manual, guide)
+        taken = [
+            {s.field.full_name: {x.name for x in s.functions} for s in d.certain} for d in (move.before, move.after)
+        ]
+        rows = {
+            re.findall(r"#([\w.]+)\)", row["Command"])[0]: set(re.findall(r"`(\w+)`", row["Functions"]))
+            for t in tables(section(page, "What is no longer taken"))
+            for row in t
+        }
+        both = taken[0].keys() & taken[1].keys()
+        lost = {name: taken[0][name] - taken[1][name] for name in both}
+        assert rows == {name: functions for name, functions in lost.items() if functions}
+        new = {name for name in taken[1] if name not in {s.field.full_name for s in move.before.supports}}
+        assert set(re.findall(r"#([\w.]+)\)", section(page, "What is new"))) == new
+        told = words(section(page, "What has another meaning"))
+        for v in (v for d in (move.before, move.after) for v in d.variants):
+            if {move.before.id, move.after.id} <= {d.id for d in of.devices_of(v.field)}:
+                assert v.parameter.name in told, v.path
+
+
 def test_rates_and_bandwidth(manual: Manual) -> None:
     """The formula of the manuals: 60 f + 10 (s1 f1 + s2 f2 + ...)."""
     for _, guide, sequence in plays(manual):

@@ -35,7 +35,7 @@ def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
     packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
     shown = manual.typical.shown(f)
-    return [packets[i] for i, c in enumerate(f.calls) if any(c is x for x in shown)]
+    return [packets[i] for i, c in enumerate(manual.typical.sent(f)) if any(c is x for x in shown)]
 
 
 def reply(manual: Manual, packet: bytes) -> bytes:
@@ -53,6 +53,17 @@ def sample(manual: Manual, f: m.Field) -> bytes:
     return manual.typical.packet(f)
 
 
+def broken(manual: Manual, f: m.Field) -> list[bytes]:
+    """Packets whose program must report an error: the field lacks a byte, or the packet cuts off its last one."""
+    data = manual.typical.data(f)
+    number = sample(manual, f)[2]
+    lengths = [f.min_size] if f.min_size and manual.model.layouts(f) == (f,) else []
+    cut = bytes([len(data) + 2, f.descriptor]) + data[:-1] if data else bytes([3, f.descriptor])
+    payloads = [bytes([n + 1, f.descriptor]) + data[: n - 1] for n in lengths] + [cut]
+    heads = [bytes((*manual.model.protocol.sync, number, len(x))) + x for x in payloads]
+    return [head + codec.checksum(head) for head in heads]
+
+
 def run(*command: str | Path, **environment: str) -> str:
     done = subprocess.run(
         [str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment}, check=False
@@ -62,14 +73,17 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def check(manual: Manual, output: str) -> None:
-    """Each line: the name of a field, and what its program sent, or that it took the data."""
+    """Each line: the name of a field, and what its program sent, or that it took the data, or refused broken ones."""
     found: dict[str, list[str]] = {}
     for line in output.splitlines():
         name, what = line.split()
         found.setdefault(name, []).append(what)
     for f in asked(manual):
-        wanted = [p.hex() for p in ready(manual, f)] if f.role == m.COMMAND else []
-        assert found.get(f.full_name) == [*wanted, "done"], f.full_name
+        if f.role == m.COMMAND:
+            wanted = [*(p.hex() for p in ready(manual, f)), "done"]
+        else:
+            wanted = ["done", *["refused"] * len(broken(manual, f))]
+        assert found.get(f.full_name) == wanted, f.full_name
 
 
 @pytest.fixture
@@ -122,11 +136,14 @@ uint8_t buffer[MIP_MAX_PACKET];
 struct mip_packet packet;
 struct mip_field field;
 struct mip_walk walk;
-if (mip_packet_check(buffer, bytes_of("HEX", buffer), &packet) != MIP_OK) {
+if (mip_packet_check(buffer, bytes_of(hex, buffer), &packet) != MIP_OK) {
     return;
 }
 walk = mip_walk_packet(&packet);
-mip_walk_next(&walk, &field);
+if (!mip_walk_next(&walk, &field)) {
+    printf("%s %s\\n", name, walk.error == MIP_OK ? "nothing" : "refused");
+    return;
+}
 """
 
 
@@ -135,7 +152,7 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     for f in asked(manual):
         needs, body = program(manual, f, "c")
         includes |= set(needs)
-        begin, end = "", "done = true;"
+        takes, begin, end, given = "void", "", "done = true;", [""]
         if f.role == m.COMMAND:
             assert re.search(r"/\* mip_result_reason", body)
             body = re.sub(r"/\* (mip_result_reason\(result\)) says why \*/", r'printf("%s\\n", \1); return;', body)
@@ -143,14 +160,16 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
             calls.append(f'static const char *const a_{len(calls)}[] = {{{texts}, ""}}; answers = a_{len(calls)};')
         else:
             members = re.findall(r"value\.\w+", re.findall(r"/\*(.*)\*/", body)[0])
+            body, why = re.subn(r"/\* mip_error_name\(error\) .*\*/", r'printf("%s refused\\n", name);', body)
+            assert why == 1
             body = re.sub(r"/\*.*\*/", "".join(f"(void){x}; " for x in members) + "done = true;", body)
-            begin, end = DATA.replace("HEX", sample(manual, f).hex()), ""
+            takes, begin, end = "const char *hex", DATA, ""
+            given = [f'"{p.hex()}"' for p in (sample(manual, f), *broken(manual, f))]
             calls.append("")
         name = f"f_{len(functions)}"
-        functions.append(f"static void {name}(void) {{ {begin}\n{body}\n{end} }}\n")
-        calls[-1] = (
-            f'{{ name = "{f.full_name}"; done = false; {calls[-1]} {name}(); if (done) printf("%s done\\n", name); }}'
-        )
+        functions.append(f"static void {name}({takes}) {{ {begin}\n{body}\n{end} }}\n")
+        run_ = " ".join(f'done = false; {name}({x}); if (done) printf("%s done\\n", name);' for x in given)
+        calls[-1] = f'{{ name = "{f.full_name}"; {calls[-1]} {run_} }}'
     source = tmp_path / "programs.c"
     begin_ = "mip_device_init(device, &port, NULL, 0);"
     source.write_text(
@@ -170,7 +189,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from mip_protocol import Device, Packet
+from mip_protocol import DecodeError, Device, Packet
 
 ANSWERS: dict[str, str] = json.load(open(sys.argv[1]))
 name = ""
@@ -215,12 +234,16 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
         functions.append(f"def {name}(device: Device) -> None:\n{lines}\n")
         if f.role == m.COMMAND:
             answers.update({p.hex(): reply(manual, p).hex() for p in ready(manual, f)})
-            device = "device"
+            given = ["device"]
         else:
-            device = f'source("{sample(manual, f).hex()}")'
-        calls.append(f'    name = "{f.full_name}"\n    {name}({device})\n    print(name, "done", file=sys.stderr)\n')
+            given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
+        calls.append(f'    name = "{f.full_name}"\n')
+        calls += [f"    attempt({name}, {device})\n" for device in given]
     main = (
         "def source(packet: str) -> Any:\n    return Source(packet)\n\n\n"
+        "def attempt(program: Any, device: Any) -> None:\n"
+        "    try:\n        program(device)\n        print(name, 'done', file=sys.stderr)\n"
+        "    except DecodeError:\n        print(name, 'refused', file=sys.stderr)\n\n\n"
         "if __name__ == '__main__':\n    device = Device(Port())\n"
         + "".join(calls)
         + "    import os\n\n    os._exit(0)\n"
@@ -247,7 +270,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
 RUST_HEAD = """
 #![allow(warnings)]
 use mip_protocol::device::{Device, DeviceError, Port};
-use mip_protocol::{packets, Packet};
+use mip_protocol::{packets, DecodeError, Packet};
 
 struct Table {
     name: &'static str,
@@ -307,7 +330,9 @@ def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> Non
         else:
             seen = lines.rstrip().removesuffix("}") + f'eprintln!("{f.full_name} done");\n}}'
             assert lines.count("}\n") == 1 or lines.endswith("}\n")
-            functions.append(f"fn {name}(packet: Packet) {{\n{seen}\n}}")
-            calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap());")
+            functions.append(f"fn {name}(packet: Packet) -> Result<(), DecodeError> {{\n{seen}\nOk(())\n}}")
+            calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap()).unwrap();")
+            refused = f'.unwrap()).is_err() {{ eprintln!("{f.full_name} refused"); }}'
+            calls += [f"if {name}(Packet::new({rust_bytes(p)}){refused}" for p in broken(manual, f)]
     spec = request.node.callspec.params["manual"]
     check(manual, said_in_rust(spec, "reference", functions, calls))

@@ -19,7 +19,7 @@ from urllib.parse import unquote
 
 import browser
 import pytest
-from mipgen import render
+from mipgen import output
 from queries import PAGES as WANTED_PAGES
 from queries import QUERIES
 from reference import manual_of, navigation
@@ -59,7 +59,7 @@ PAGES = (
 def built(spec: str) -> Path:
     """The site of a copy of the folder, which has nothing beside it."""
     source, site = Path(FOLDER.name) / spec / "markdown", Path(FOLDER.name) / spec / "site"
-    render.write(manual_of(spec).files, source)
+    output.write(manual_of(spec).files, source)
     done = subprocess.run(
         [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
         cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,

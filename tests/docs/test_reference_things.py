@@ -11,6 +11,7 @@ from reference import (
     ANCHOR,
     Manual,
     bullets,
+    limited,
     manual_of,
     number,
     path_of,
@@ -175,7 +176,7 @@ def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
             assert cells.get("Optional parameters", "") == ", ".join(p.name for p in c.optional)
             check_answer(manual, f, c, row["Answer"])
         for c, row in zip(
-            f.calls,
+            manual.typical.sent(f),
             table_with(manual.field(f), "Packet", "Function") or table_with(manual.field(f), "Packet"),
             strict=True,
         ):
@@ -196,7 +197,7 @@ def check_said(of: m.Model, f: m.Field, values: dict[str, Any], said: str) -> No
     if re.fullmatch(r"\d+ values", said):
         return
     for name, value in plain.items():
-        assert re.search(rf"(^|, ){name} = (.*\()?(-?{value}|0x0*{value:X})\b", said), (f.full_name, name, value)
+        assert re.search(rf"(^|, ){name} = (.*\(|week )?(-?{value}|0x0*{value:X})\b", said), (f.full_name, name, value)
 
 
 def sizes(f: m.Field) -> tuple[int, int]:
@@ -272,6 +273,13 @@ def test_every_type_names_its_users(manual: Manual) -> None:
 # --------------------------------------------------------------------------- devices
 
 
+def test_nothing_is_ready_to_be_sent_that_no_device_takes(manual: Manual) -> None:
+    for f in (f for f in manual.model.fields if f.role == m.COMMAND and f.functions):
+        taken = {x.name for _, s in manual.model.supports(f) for x in s.functions} or {x.name for x in f.functions}
+        rows = table_with(manual.field(f), "Packet", "Function")
+        assert {words(row["Function"]).partition(" ")[0] for row in rows} == taken, f.full_name
+
+
 def test_every_device_has_its_page(manual: Manual) -> None:
     of = manual.model
     for d in of.devices:
@@ -296,8 +304,7 @@ def test_every_device_has_its_page(manual: Manual) -> None:
             wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
             assert any(wanted <= {*row, ""} for row in rows), port.name
         for limit in d.limits:
-            value = f"{limit.value:.15g}{' ' + limit.unit if limit.unit else ''}"
-            assert [limit.name.replace("_", " "), value, prose(limit.description, of)] in rows
+            assert [prose(limit.description.rstrip("."), of), limit.name, limited(limit)] in rows
         for note in d.notes:
             assert f"### {note.title}" in text and prose(note.description, of) in text
             for line in note.rows:
@@ -312,6 +319,8 @@ def test_what_a_device_supports(manual: Manual) -> None:
         for s, row in zip(d.certain, rows, strict=True):
             assert f"#{s.field.full_name})" in row["Field"] and words(row["Field"]).startswith(s.field.title)
             assert words(row.get("Functions", "")) == letters(s.functions)
+            answers = manual.model.answers(s.field, d.id) if s.responds else ()
+            assert re.findall(r"#([\w.]+)\)", row.get("Responses", "")) == [r.full_name for r in answers]
             assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 

@@ -34,6 +34,8 @@ FAULTS = {"_fault", "Fault", "_unclosed"}
 UNREACHABLE = {
     "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to add to the specification: no {files}')":
         "test_overlay.py::test_messages",
+    "checks: problems.add(model.protocol.acknowledge.position, 'no set has a field; write one, in a file of sets/')":
+        "test_no_field_at_all",
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",
@@ -87,6 +89,21 @@ def test_paths_are_those_of_the_caller(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(spec.parent)
     with pytest.raises(mipgen.problems.SpecError, match=r"^spec/sets/bad.yaml:"):
         load_model(spec)
+
+
+def test_no_field_at_all(tmp_path: Path) -> None:
+    """Whether the sets are empty or missing."""
+    shutil.copytree(BASE, tmp_path / "spec")
+    for part in ("devices", "examples", "errata", "guides", "simulation"):
+        shutil.rmtree(tmp_path / "spec" / part)
+    for path in (tmp_path / "spec/sets").glob("*.yaml"):
+        path.write_text(path.read_text("utf-8").partition("fields:\n")[0], "utf-8")
+    for _ in range(2):
+        with pytest.raises(
+            mipgen.problems.SpecError, match=r"protocol.yaml:12:3: error: no set has a field; write one"
+        ):
+            load_model(tmp_path / "spec")
+        shutil.rmtree(tmp_path / "spec/sets", ignore_errors=True)
 
 
 # --------------------------------------------------------------------------- completeness

@@ -35,6 +35,8 @@ def test_a_new_specification_is_valid_and_generates(tmp_path: Path, capsys: pyte
     assert f"mipgen generate --spec {spec}" in capsys.readouterr().out
     assert cli.main(["generate", "--spec", str(spec), "--out", str(out)]) == 0
     assert {p.name for p in out.iterdir()} == set(discovery.names())
+    assert cli.main(["new", str(tmp_path / "my device")]) == 0
+    assert f"mipgen generate --spec '{tmp_path}/my device'\n" in capsys.readouterr().out
     of = load_model(spec)
     assert [f.full_name for f in of.fields] == ["tools.light", "tools.light_response", "measurements.temperature"]
     assert len(of.devices) == 1 and len(of.examples) == 2
@@ -145,7 +147,7 @@ def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
     done = mipgen("generate", *options, cwd=tmp_path)
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (
-        "mine: error: these files would be replaced, and no .manifest says that mipgen wrote them; "
+        "mine: error: these would be replaced, and no .manifest of mipgen lists them; "
         "move or delete them, or choose another --out:\n  mine/c/README.md\n  mine/python/pyproject.toml\n"
     )
     assert tree(tmp_path) == before
@@ -190,7 +192,33 @@ def test_any_other_file_that_fails(monkeypatch: pytest.MonkeyPatch, capsys: pyte
     assert capsys.readouterr().err == "spec/sets/a.yaml: error: Permission denied\n"
 
 
+def test_a_run_that_the_user_interrupts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def interrupt(options: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mipgen.commands.validate", interrupt)
+    assert cli.main(["validate"]) == 130
+    assert capsys.readouterr().err == "mipgen: interrupted; run it again\n"
+
+
 # --------------------------------------------------------------------------- folders, help, versions
+
+
+@pytest.mark.parametrize("option", ["--out", "--spec", "--target-path"])
+def test_an_empty_name_is_not_the_current_folder(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        cli.main(["generate", option, ""])
+    assert capsys.readouterr().err.endswith(f"argument {option}: it is empty; name a folder ('.' is the current one)\n")
+
+
+def test_names_that_a_terminal_cannot_show(tmp_path: Path) -> None:
+    """Names of files need not be text."""
+    spec = Path(shutil.copytree(INVENTED, tmp_path / "spec"))
+    odd = os.fsdecode(b"\xff\xc3\xa9")
+    (spec / f"{odd}.txt").write_text("")
+    done = mipgen("generate", "--target", "json", "--out", odd, cwd=tmp_path, PYTHONIOENCODING="ascii")
+    assert done.returncode == 0 and done.stderr == "" and f"{odd!r}"[1:5] in done.stdout
+    assert tree(tmp_path / odd / "json") == tree(GOLDEN / "json")
 
 
 def test_the_folders_of_the_current_folder(tmp_path: Path) -> None:

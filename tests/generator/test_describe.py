@@ -228,6 +228,14 @@ def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
     assert said == ["On the <3DM-GX5-15> and <3DM-GX5-35>: valid if <valid_flags.time_initialized> is set."]
 
 
+def test_elements_of_a_vector_in_another_frame() -> None:
+    assert of("gnss_1.ned_velocity:velocity", REAL)["elements"] == "Elements: north, east, down."
+    assert variants("filter.initialization_config:initial_position", REAL) == [
+        "If <reference_frame_selector> is <ecef>: unit m; frame <ecef>.",
+        "If <reference_frame_selector> is <llh>: elements latitude, longitude, height; unit deg, deg, m; frame <llh>.",
+    ]
+
+
 def test_variants_by_value_are_told_one_by_one() -> None:
     f = INVENTED.field("tools.pin")
     assert f is not None
@@ -295,3 +303,10 @@ def test_a_value_is_part_of_its_sentence(own: m.Model) -> None:
         for fact in [*describe.field(f, own), *(x for p in f.parameters for x in describe.parameter(p, f, own))]:
             assert plain(fact.value) in plain(fact.sentence)
             assert plain(fact.sentence)[-1] == "." or fact.topic == "note", fact
+
+
+def test_numbers_with_units() -> None:
+    real = model("real")
+    units = (("3", "m"), ("2412", "week"), ("253", "byte"), ("1", "byte"), ("0, 1", "byte"), ("2", "1"), ("7", None))
+    said = [describe.measured(number, unit, real) for number, unit in units]
+    assert said == ["3 m", "week 2412", "253 bytes", "1 byte", "0, 1 bytes", "2", "7"]

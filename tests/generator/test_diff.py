@@ -132,4 +132,7 @@ def test_outside_of_a_repository(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
     assert cli.main(["diff", "HEAD"]) == 1
-    assert "mipgen: error: spec is not in a Git repository; name a folder" in capsys.readouterr().err
+    assert capsys.readouterr().err == (
+        "mipgen: error: there is no folder 'HEAD', and no revision, because spec is not in a Git repository; "
+        "name a folder\n"
+    )

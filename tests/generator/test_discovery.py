@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from mipgen import cli, render
+from mipgen import cli, output, render
 from support import ROOT, SPECS, model
 
 SPEC = SPECS["invented"][0]
@@ -37,12 +37,18 @@ def write(path: Path, text: str) -> None:
     path.write_text(text)
 
 
+def replace(folder: Path, path: str, other: str) -> None:
+    """Another path of the file that the target makes."""
+    target = folder / "csv/target.py"
+    target.write_text(target.read_text().replace(f'"{path}"', f'"{other}"'))
+
+
 def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert generate(folder) == 0
     rows = made(folder, "csv/fields.csv").splitlines()
     assert len(rows) == len(model("invented").fields) + 1
     assert "0x01,0x01,tools.ping," in rows
-    assert made(folder, "csv/.manifest") == "LICENSE\nfields.csv\n"
+    assert made(folder, "csv/.manifest") == f"{output.HEADER}\nLICENSE\nfields.csv\n"
     assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *render.names()}
     capsys.readouterr()
     assert cli.main(["targets", "--target-path", str(folder)]) == 0
@@ -127,6 +133,11 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
         (lambda f: (f / "csv/fields.csv.j2").unlink(),
          "target csv: error: there is no template fields.csv.j2 (for fields.csv)"),
         (lambda f: write(f / "csv/runtime/fields.csv", ""), "target csv: error: fields.csv is made twice"),
+        (lambda f: replace(f, "fields.csv", ".manifest"), "target csv: error: .manifest is made twice"),
+        (lambda f: replace(f, "fields.csv", "a/../../b"), "target csv: error: a/../../b is outside of its folder"),
+        (lambda f: replace(f, "fields.csv", "/tmp/b"), "target csv: error: /tmp/b is outside of its folder"),
+        (lambda f: write(f / "csv/target.py", "\nTITLE = = 'x'\n"),
+         "{f}/csv/target.py:2: error: not Python: invalid syntax"),
         (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
          "{f}/csv/target.py: error: a target must have identifiers and filters"),
         (lambda f: (f / "cc").mkdir(), "{f}/cc: error: target.py is missing, and there is no target 'cc', "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -115,6 +116,22 @@ def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
     (tmp_path / "sets/odd.yaml").mkdir(parents=True)
     with pytest.raises(SpecError, match=r"sets/odd.yaml:1:1: error: cannot be read: Is a directory"):
         load_model(tmp_path)
+
+
+def test_files_that_are_not_of_the_specification(tmp_path: Path) -> None:
+    """Those of editors are ignored; those that an author would believe to be read are reported."""
+    spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
+    (spec / "sets/.#tools.yaml").symlink_to("me@here.1234")
+    (spec / "sets/._tools.yaml").write_bytes(b"\0\5\xff")
+    (spec / "sets/tools.yaml~").write_text("set: 1\n")
+    assert len(load_model(spec).fields) == 5
+    for name in ("more.yml", "more.YAML", "old/more.yaml"):
+        (spec / "sets" / name).parent.mkdir(exist_ok=True)
+        (spec / "sets" / name).write_text("set: 1\n")
+    with pytest.raises(SpecError) as caught:
+        load_model(spec)
+    assert [p.file.rpartition("sets/")[2] for p in caught.value.problems] == ["more.YAML", "more.yml", "old/more.yaml"]
+    assert all(p.message.startswith("this file is not read; only these are: ") for p in caught.value.problems)
 
 
 def test_no_folder_at_all(tmp_path: Path) -> None:

@@ -32,6 +32,11 @@ def whole(part: m.Model) -> None:
         assert all(part.set(r.set.number) is r.set for r in d.base_rates)
     for e in part.examples:
         assert all(x.field is None or part.field(x.field) for x in e.fields)
+    for b in part.simulation.behaviors:
+        assert part.field(b.command.full_name) is b.command
+        layouts = {r.name: r.devices for r in part.responses(b.command)}
+        assert all(layouts[name] == devices for name, devices in b.answers), b.command.full_name
+    assert all(part.field(s.field.full_name) is s.field for s in part.simulation.sources)
     for g in part.guides:
         assert g.sequences or g.migration
         assert all(part.field(name) or any(name == other.name for other in part.guides) for name in g.see)
@@ -90,6 +95,20 @@ def test_a_command_comes_with_what_silences_it(spec: str, name: str, setting: st
     assert render.render("python", part)
 
 
+@pytest.mark.parametrize("device", REAL.devices, ids=lambda d: d.id)
+def test_a_field_of_a_device(device: m.Device) -> None:
+    """Each field that a device has can be selected for it, and no other."""
+    responses = {r.full_name for s in device.supports if s.responds for r in REAL.answers(s.field, device.id)}
+    has = {s.field.full_name for s in device.supports} | responses
+    for f in REAL.fields:
+        selection = Selection(devices=(device.id,), fields=(f.full_name,))
+        if f.full_name in has:
+            select(REAL, selection)
+            continue
+        with pytest.raises(Failure, match=f"^mipgen: error: the field '{f.full_name}' is of no selected device; "):
+            select(REAL, selection)
+
+
 def test_devices_narrow_sets() -> None:
     part = select(INVENTED, Selection(devices=("model-b",), sets=("tools",)))
     assert names(part) == {
@@ -139,6 +158,15 @@ def test_what_was_left_out() -> None:
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
+        (
+            Selection(devices=("3dm-gx5-15",), fields=("3dm.device_status_diagnostic_gq4_45_response",)),
+            "the field '3dm.device_status_diagnostic_gq4_45_response' is of no selected device; leave it out, or name "
+            "a device that has it: 3dm-gq4-45",
+        ),
+        (
+            Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "rtk")),
+            "the set 'rtk' is of no selected device; leave it out, or select no device",
+        ),
     ],
 )
 def test_unknown_names(selection: Selection, message: str) -> None:

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from mipgen import cli, render
+from mipgen import cli, discovery, output, render
 from support import ROOT, SPECS, all_fields, model, parse_as, tree
 
 
@@ -62,17 +62,17 @@ def test_a_second_run_touches_nothing(first: Path) -> None:
 
 def test_stale_files_go_and_others_stay(first: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    shutil.copytree(first, out)
+    shutil.copytree(first / "python", out / "python")
     old = out / "python/mip_protocol/old.py"
     old.write_text("gone\n")
-    manifest = out / "python" / render.MANIFEST
+    manifest = out / "python" / discovery.MANIFEST
     manifest.write_text(manifest.read_text() + "mip_protocol/old.py\n")
     mine = out / "python/mine.txt"
     mine.write_text("kept\n")
-    done = mipgen("check", "--out", str(out))
+    done = mipgen("check", "--out", str(out), "--target", "python")
     assert done.returncode == 1
     assert "old.py: error: stale" in done.stderr and "mine.txt: error: untracked" in done.stderr
-    assert mipgen("generate", "--out", str(out)).returncode == 0
+    assert mipgen("generate", "--out", str(out), "--target", "python").returncode == 0
     assert not old.exists() and mine.read_text() == "kept\n"
 
 
@@ -113,9 +113,8 @@ def test_every_folder_stands_alone(first: Path) -> None:
         folder = first / name
         assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
         assert (folder / "README.md").is_file()
-        assert (folder / render.MANIFEST).read_text().splitlines() == sorted(
-            p for p in tree(folder) if p != render.MANIFEST
-        )
+        listed = output.manifest(p for p in tree(folder) if p != discovery.MANIFEST)
+        assert (folder / discovery.MANIFEST).read_bytes() == listed
 
 
 def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -85,6 +85,103 @@ def test_they_are_within_their_ranges(spec: str) -> None:
                 assert (p.above is None or number > p.above) and (p.below is None or number < p.below), where
 
 
+def allows(v: m.Variant, p: m.Parameter, value: Any) -> bool:
+    """Is it one of the values that a parameter may have, as a variant says?"""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    found = numbers(value) if isinstance(scalar, m.Scalar) and scalar.kind == "float" else value
+    each = found if isinstance(found, list) else [found]
+    named = v.type or p.element
+    if isinstance(named, m.Enum):
+        known = {x.value for x in v.only or named.values}  # type: ignore[union-attr]
+        return all(one in known for one in each)
+    if isinstance(named, m.Bitfield):
+        mask = sum(x.mask for x in v.only or named.bits if not x.alias)  # type: ignore[union-attr]
+        return all(not one & ~mask for one in each)
+    if v.constant is not None:
+        return all(one == v.constant for one in each)
+    return all(
+        (v.minimum is None or one >= v.minimum or math.isclose(one, v.minimum, rel_tol=1e-6))
+        and (v.maximum is None or one <= v.maximum or math.isclose(one, v.maximum, rel_tol=1e-6))
+        for one in each
+    )
+
+
+def sent() -> Iterator[tuple[m.Field, list[m.Device], codec.Values]]:
+    """Every command as pages offer it, and the devices that certainly take it like that."""
+    of = model("real")
+    for f in of.fields:
+        for call in typical("real").sent(f) if f.role == m.COMMAND else []:
+            takers = [
+                d
+                for d, s in of.supports(f)
+                if s.evidence is None and (call.function is None or call.function in s.functions)
+            ]
+            yield f, takers, typical("real").values(f, call)
+
+
+def test_no_device_refuses_them() -> None:
+    """Each device that takes a command allows the values. Those by which devices are told apart, their model number
+    and the names of their streams, are right for one."""
+    seen, refused = 0, []
+    for f, takers, values in sent():
+        for p in f.parameters:
+            own = {v.key: v for v in p.variants if v.by_device}
+            if p.name not in values or not own:
+                continue
+            allowed = {d.id: d.id not in own or allows(own[d.id], p, values[p.name]) for d in takers}
+            read = {(own[d.id].constant, own[d.id].type) if d.id in own else (None, None) for d in takers}
+            seen += len(own)
+            if not (any if len(read) > 1 else all)(allowed.values()):
+                refused.append(f"{f.full_name}.{p.name} = {values[p.name]}, not on {allowed}")
+    assert seen > 20 and not refused, refused
+
+
+def named(p: m.Parameter, value: Any) -> list[int]:
+    """The field descriptors in a value."""
+    each = value if isinstance(value, list) else [value]
+    if isinstance(p.element, m.Struct):
+        return [one[q.name] for one in each for q in p.element.parameters if q.shown == "field"]
+    return each
+
+
+def test_devices_have_what_they_name() -> None:
+    """The fields of a format, a poll, a trigger: every device that takes the command has them, if its profile is
+    whole and it has the set."""
+    of, seen, missing = model("real"), 0, []
+    for f, takers, values in sent():
+        for p, value, record in leaves(f.parameters, values):
+            number = descriptors.set_of(p, record, of) if p.fields_of else None
+            for d in (d for d in takers if number and not d.incomplete):
+                has = {s.field.descriptor for s in d.certain if s.field.set in (number, m.SHARED_SET)}
+                seen += 1
+                missing += [f"{f.full_name}: 0x{one:02X} on {d.id}" for one in named(p, value) if one not in {0, *has}]
+    assert seen > 10 and not missing, missing
+
+
+def test_ports_have_their_baud_rates() -> None:
+    for name in ("base.comm_speed", "3dm.uart_baud_rate"):
+        for f, takers, values in sent():
+            for d in takers if f.full_name == name and "baud" in values else ():
+                ports = [x for x in d.ports if x.baud_rates and values.get("port") in (None, x.id)]
+                assert any(values["baud"] in x.baud_rates for x in ports) or not ports, (name, d.id)
+
+
+def test_sentences_come_no_more_often_than_allowed() -> None:
+    of, seen = model("real"), 0
+    for f, takers, values in sent():
+        for entry in values.get("format_entries", ()) if f.full_name == "3dm.nmea_message_format" else ():
+            number = entry["source_descriptor_set"]
+            source = of.set(number)
+            assert source is not None
+            limit = "nmea_gnss_rate" if source.name.startswith("gnss") else "nmea_rate"
+            for d in takers:
+                highest = next((x.value for x in d.limits if x.name == limit), math.inf)
+                base = next(r.hertz for r in d.base_rates if r.set.number == number)
+                seen += 1
+                assert base <= highest * entry["decimation"], entry
+    assert seen
+
+
 def test_rotations_are_rotations() -> None:
     """Quaternions have the norm 1; matrices that turn vectors, columns of length 1 at right angles."""
     seen = set()

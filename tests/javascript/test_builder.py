@@ -207,6 +207,23 @@ def test_numbers_in_hexadecimal_follow_the_set(own: browser.Page) -> None:
     assert "is not a whole number" in own.run("document.querySelector('.mip-wrong').textContent")
 
 
+def test_elements_and_units_follow_the_frame(own: browser.Page) -> None:
+    start(own, "filter.initialization_config")
+    labels = (
+        "[...document.querySelectorAll('fieldset')].find((one) => one.querySelector('legend').textContent"
+        ".startsWith('initial_position')).innerText.split(/\\s+/)"
+    )
+    shown = own.run(labels)
+    assert {"latitude", "longitude", "height", "deg", "m"} <= {*shown} and "x" not in shown
+    own.run(
+        "(() => { const all = [...document.querySelectorAll('select')];"
+        " const found = all.find((one) => [...one.options].some((x) => x.textContent === '1 ecef'));"
+        " found.value = '1'; found.dispatchEvent(new Event('input')); })()"
+    )
+    shown = own.run(labels)
+    assert {"x", "y", "z", "m"} <= {*shown} and "latitude" not in shown and "deg" not in shown
+
+
 def test_several_fields(own: browser.Page) -> None:
     of = model("real")
     start(own, "base.ping")
@@ -257,7 +274,8 @@ def test_a_device_says_what_differs(own: browser.Page) -> None:
     start(own, "3dm-gx5-15 3dm.message_format")
     assert own.run("texts('.mip-device-notes li')") == ["3DM-GX5-15: it is not known to support this"]
     start(own, "3dm-gx5-15 3dm.data_stream_control")
-    assert "3DM-GX5-15: descriptor_set: values of 3dm.legacy_data_stream" in own.run("texts('.mip-device-notes li')")
+    said = "3DM-GX5-15: descriptor_set: values of 3dm.legacy_data_stream; only imu, filter"
+    assert said in own.run("texts('.mip-device-notes li')")
 
 
 def test_optional_parameters(own: browser.Page) -> None:

@@ -7,6 +7,7 @@ import re
 import struct
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -84,6 +85,8 @@ def rows(record: Any, path: str = "") -> Iterator[Row]:
     """Every value of a field as the Python binding has it."""
     for p in binding("mip_protocol.reflection").PARAMETERS[type(record)]:
         name = f"{path}.{p.name}" if path else p.name
+        beside = p.of(record)
+        p = replace(p, units=beside.units, elements=beside.elements)
         if p.kind == "constant":
             yield name, p, p.constant, ""
         elif p.kind == "counter":

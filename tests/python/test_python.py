@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from mipgen import render
+from mipgen import output, render
 from mipgen.resolve import load_model
 from mipgen.targets.python import members, names
 from packages import REAL, Package, mip, real
@@ -279,7 +279,7 @@ def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
         case = f"{name}.state.code: {{type: mode}}"
         text = text.replace("varies: {", f"varies: {{{case}, ").replace("varies:\n", f"varies:\n  {case}\n")
         file.write_text(text, "utf-8")
-    render.write(render.render("python", load_model(spec)), out)
+    output.write(render.render("python", load_model(spec)), out)
     it = Package(out, "varied_mip")
     first, second = it.varied.State(1), it.again.State(1)
     assert isinstance(second, it.varied.State) and second.code == 1
@@ -641,7 +641,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
     spec, out = tmp_path / "spec", tmp_path / "python"
     shutil.copytree(SPECS["invented"][0], spec)
     (spec / "sets/awkward.yaml").write_text(filled(AWKWARD), "utf-8")
-    render.write(render.render("python", load_model(spec)), out)
+    output.write(render.render("python", load_model(spec)), out)
     for check in (["format", "--check"], ["check"]):
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
         assert done.returncode == 0, done.stdout.decode()

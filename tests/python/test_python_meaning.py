@@ -453,6 +453,20 @@ def test_members_of_structures_depend_on_what_holds_them() -> None:
     assert f"value = 2.0 {unit}" in str(reply)
 
 
+def test_elements_of_vectors_are_those_of_their_frame() -> None:
+    velocity = real.gnss_1.NedVelocity.INFO["velocity"]
+    assert velocity.elements == real.types.Ned3f._fields == ("north", "east", "down")
+    assert velocity.format((1.0, 2.0, 3.0)) == "(north=1.0, east=2.0, down=3.0) m/s"
+    assert real.filter_data.EcefVelocity.INFO["velocity"].elements == ("x", "y", "z")
+    kind, frame = real.filter.InitializationConfig, real.filter.ReferenceFrame
+    sent = kind.write(0, 0, 0, 0, 0, 0, (47, 8, 500), (0, 0, 0), frame.LLH)
+    assert "initial_position = (latitude=47 deg, longitude=8 deg, height=500 m)" in str(sent)
+    assert "initial_velocity = (north=0, east=0, down=0) m/s" in str(sent)
+    assert sent.to_dict()["initial_position"] == {"latitude": 47, "longitude": 8, "height": 500}
+    there = sent.__replace__(reference_frame_selector=frame.ECEF)
+    assert "initial_position = (x=47, y=8, z=500) m" in str(there)
+
+
 def test_objects_of_strange_values_have_a_text() -> None:
     for value in (None, "text", b"bytes", (), (1, "2"), object(), -1, 1 << 200, [(1, 2)]):
         for kind in (real.sensor.ScaledAccel, real.base.ContinuousBuiltInTestResponse, mip.types.Point):

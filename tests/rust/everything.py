@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import random
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from conformance.client_model import wanted_responses
@@ -22,6 +22,7 @@ HEAD = """//! Made by everything.py.
 
 #![allow(deprecated, unused_imports)]
 
+use mip_protocol::registry::{FieldInfo, Listed, ParameterInfo};
 use mip_protocol::{devices, Bool, Command, DecodeErrorKind, Field, List, ResponseOf, Text, VarText};
 
 /// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
@@ -58,6 +59,19 @@ fn named<T: Field>(set: u8, descriptor: u8, name: &str, sets: &[u8]) {
     assert_eq!((T::SET, T::DESCRIPTOR, T::NAME), (set, descriptor, name));
     let found: Vec<u8> = (0..=255).filter(|set| T::in_set(*set)).collect();
     assert_eq!(found, sets, "{name}");
+}
+
+fn described(all: &[ParameterInfo]) -> String {
+    let one = |p: &ParameterInfo| {
+        let frame = p.frame.unwrap_or("");
+        format!("{} {:?} {:?} {frame:?} ({})", p.name, p.elements, p.units, described(p.members))
+    };
+    all.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+fn describes<T: Listed>(wanted: &str) {
+    assert_eq!(described(T::PARAMETERS), wanted, "{}", T::NAME);
+    assert_eq!(FieldInfo::by_name(T::NAME).unwrap().parameters(), T::PARAMETERS);
 }
 
 fn answers<C: Command, R: ResponseOf<C>>() {}
@@ -112,6 +126,18 @@ def path(t: m.Type | m.Field) -> str:
 def text(words: str) -> str:
     """A string literal."""
     return json.dumps(" ".join(words.split()), ensure_ascii=False)
+
+
+def described(parameters: Iterable[m.Parameter]) -> str:
+    """Of each value what Rust knows at run time, and what is inside of it."""
+    found = []
+    for p in parameters:
+        if p.constant is None and p.counts is None:
+            inside = p.element.parameters if isinstance(p.element, m.Struct) else [c.parameter for c in p.cases]
+            elements = p.element.elements if isinstance(p.element, m.Vector) else ()
+            about = " ".join(json.dumps(x) for x in (elements, p.units, p.frame or ""))
+            found.append(f"{p.name} {about} ({described(x for x in inside if x)})")
+    return "; ".join(found)
 
 
 def data_literal(data: bytes) -> str:
@@ -174,6 +200,7 @@ class _Writer:
             sets = list(range(0x01, 0x80)) if f.set == 0 else list(range(0x80, 0x100))
         yield f'named::<{of}>({f.set}, {f.descriptor}, "{f.full_name}", &{sorted(sets)});'
         yield f"assert_eq!(<{of} as mip_protocol::Wire>::SIZE, {f.max_size});"
+        yield f"describes::<{of}>({text(described(f.parameters))});"
         if f.role == m.COMMAND:
             for call, constructor in zip(f.calls, self.records.constructors(f), strict=True):
                 yield from self.constructed(f, call, constructor)

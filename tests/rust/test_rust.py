@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,7 +20,8 @@ from typing import Any
 import everything
 import pytest
 from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
-from mipgen import render
+from mipgen import output, render
+from mipgen.resolve import load_model
 from mipgen.subset import Selection, select
 from mipgen.targets.rust import names
 from support import ROOT, heavy, locked, need
@@ -123,7 +125,7 @@ path = "{HERE / "features" / "embedded.rs"}"
 members = ["mip-protocol"]
 """
     with locked(WORK / "awkward-features"):
-        render.write(rendered("awkward"), folder / "mip-protocol")
+        output.write(rendered("awkward"), folder / "mip-protocol")
         lock = (HERE / "features/Cargo.lock").read_bytes()
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
         yield folder
@@ -290,13 +292,18 @@ PARTS = {
 }
 
 
-@pytest.mark.parametrize("part", PARTS)
-def test_a_part_of_a_specification_builds(part: str) -> None:
+@pytest.mark.parametrize("part", [*PARTS, "no devices"])
+def test_a_part_of_a_specification_builds(part: str, tmp_path: Path) -> None:
     """Nothing warns about what only the rest would use."""
-    spec, selection = PARTS[part]
     folder = WORK / "parts" / part
+    if part in PARTS:
+        spec, selection = PARTS[part]
+        of = select(specification(spec), selection)
+    else:
+        shutil.copytree(ROOT / "tests/bad_specs/base", tmp_path / "spec", ignore=lambda *_: ["devices", "guides"])
+        of = load_model(tmp_path / "spec")
     with locked(WORK / f"part-{part}"):
-        write(without_dependencies(render.render("rust", select(specification(spec), selection))), folder)
+        write(without_dependencies(render.render("rust", of)), folder)
     for features in ("", "std,dynamic"):
         passes(folder, "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
 
@@ -438,7 +445,7 @@ def test_the_driver_is_built_from_any_folder_and_only_once() -> None:
     generated = WORK / 'a "strange" \\ folder\'s name' / "mip-protocol"
     build = WORK / "driver of a strange folder"
     with locked(WORK / "driver"):
-        render.write(rendered("invented"), generated)
+        output.write(rendered("invented"), generated)
         driver = build_driver(generated, build)
         built = Path(driver).stat().st_mtime_ns
         assert build_driver(generated, build) == driver

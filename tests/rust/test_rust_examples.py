@@ -17,7 +17,7 @@ import everything
 import pytest
 from crates import WORK, passes, project, rendered, write
 from mipgen import model as m
-from mipgen import render
+from mipgen import output
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
@@ -135,7 +135,7 @@ def crate() -> Path:
     """The crate in a workspace of its own, with the programs' dependencies, pinned in examples/Cargo.lock."""
     folder = WORK / "real" / "examples-of-crate"
     with locked(WORK / "real-examples-of-crate"):
-        render.write(rendered("real"), folder)
+        output.write(rendered("real"), folder)
         manifest = rendered("real")["Cargo.toml"] + b"\n[workspace]\n"
         write({"Cargo.toml": manifest, "Cargo.lock": (HERE / "examples/Cargo.lock").read_bytes()}, folder)
     return folder
@@ -230,14 +230,18 @@ def test_json_tells_what_is_broken(log: Path) -> None:
     ]
 
 
-def test_nobody_reads_the_json(log: Path) -> None:
-    """As `json log.bin | head` does it."""
-    log.write_bytes(LOG * 2000)
+def finds_nobody(name: str, argument: object) -> None:
+    """It ends as an error, in order, if nobody reads what it writes, as with `json log.bin | head`."""
     reader, writer = os.pipe()
     os.close(reader)
-    done = subprocess.run([programs() / "json", str(log)], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
+    done = subprocess.run([programs() / name, str(argument)], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
     os.close(writer)
-    assert done.returncode == 1 and b"BrokenPipe" in done.stderr
+    assert done.returncode == 1 and b"BrokenPipe" in done.stderr and b"panicked" not in done.stderr
+
+
+def test_nobody_reads_the_json(log: Path) -> None:
+    log.write_bytes(LOG * 2000)
+    finds_nobody("json", log)
 
 
 def test_tokio_codec() -> None:
@@ -256,6 +260,7 @@ def test_stream(tmp_path: Path) -> None:
         head, *lines = out.splitlines()
         assert (code, error) == (0, "") and head == "3DM-CV7-GNSS/INS, 1000 Hz"
         assert len(lines) == 50 and all(re.fullmatch(r"(no time|[\d.]+ s):( +-?\d\.\d{4}){3} g", x) for x in lines)
+        finds_nobody("stream", path)
     with simulated("--pty", path, "--fault", "refuse@3"):
         code, out, error = ran("stream", path)
         assert code == 1 and "Refused(AckCode(bad_checksum))" in error
@@ -276,6 +281,10 @@ def test_setup(tmp_path: Path) -> None:
     assert saved
     with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse@3"):
         assert ran("setup", path)[0] == 1
+    storage.unlink()
+    with simulated("--pty", path, "--storage", str(storage)):
+        finds_nobody("setup", path)
+    assert storage.read_bytes() == saved  # nevertheless
 
 
 #: What the firmware sends, and what it is answered.

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 from crates import WORK, without_dependencies
-from mipgen import render, revisions
+from mipgen import output, render, revisions
 from mipgen.resolve import load_model
 from support import BUILD, ROOT, SPECS, heavy, locked, need
 
@@ -96,7 +96,7 @@ def made(*names: str, attribute: bool = True) -> Path:
         files = without_dependencies(render.render("rust", load_model(spec)))
         if not attribute:
             files = {name: text.replace(b"#[non_exhaustive]\n", b"") for name, text in files.items()}
-        render.write(files, folder / "crate")
+        output.write(files, folder / "crate")
     return folder / "crate"
 
 

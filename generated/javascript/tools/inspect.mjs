@@ -1,7 +1,7 @@
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
 import { MipError, fromHex, sameBytes } from "../mip/bytes.mjs";
-import { namedType, parametersAt, valueAt } from "../mip/names.mjs";
+import { measuredHere, namedType, parametersAt, valueAt } from "../mip/names.mjs";
 import { Packet } from "../mip/packet.mjs";
 import { segments } from "../mip/parser.mjs";
 import { bytesOfText } from "./input.mjs";
@@ -59,16 +59,16 @@ function inspectField(protocol, raw, packet, part, device) {
 
 function inspectValue(protocol, { field, values, data }, part, device) {
     const parameters = parametersAt(protocol, field, part.path);
-    const { parameter } = parameters.at(-1);
     const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
     const [siblings, around] = [places.at(-1), places.at(-2)].map((place) => valueAt(values, part.path.slice(0, place)));
+    const parameter = measuredHere(protocol, parameters.at(-1).parameter, siblings, device);
     const type = namedType(protocol, parameter, siblings, device);
     const index = part.path.slice(places.at(-1) + 1).at(-1);
     const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
     const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
     const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
-        path: pathText(protocol, parameters, part.path),
+        path: pathText([...parameters.slice(0, -1), { parameter }], part.path),
         bytes: data.subarray(part.offset, part.offset + part.size),
         value: part.value,
         parameter,

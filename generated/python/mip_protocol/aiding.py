@@ -272,8 +272,9 @@ class FrameConfig(Command[R]):
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
-    rotation R and the translation t. The rotation does not matter for GNSS positions and
-    velocities; set it to zero. A read selects the format of the answer.
+    rotation R and the translation t. For GNSS positions and velocities the rotation does not
+    matter. Send one that does not turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read
+    selects the format of the answer.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -687,7 +688,7 @@ class LlhPosition(Command[None]):
     NAME = "aiding.llh_position"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
-    _VECTORS = {"uncertainty": (types.Vector3f,)}
+    _VECTORS = {"uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -702,11 +703,10 @@ class LlhPosition(Command[None]):
     """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of
     `valid_flags` is set.
     """
-    uncertainty: types.Vector3f
-    """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-    greater than 0. Each element has its own valid flag. x: `LlhAxisFlags.LATITUDE` of
-    `valid_flags`, y: `LlhAxisFlags.LONGITUDE` of `valid_flags`, z: `LlhAxisFlags.HEIGHT` of
-    `valid_flags`.
+    uncertainty: types.Ned3f
+    """Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned. Range: greater
+    than 0. Each element has its own valid flag. north: `LlhAxisFlags.LATITUDE` of `valid_flags`,
+    east: `LlhAxisFlags.LONGITUDE` of `valid_flags`, down: `LlhAxisFlags.HEIGHT` of `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -718,7 +718,7 @@ class LlhPosition(Command[None]):
         latitude: float,
         longitude: float,
         height: float,
-        uncertainty: types.Vector3f | codec.Numbers,
+        uncertainty: types.Ned3f | codec.Numbers,
         valid_flags: LlhAxisFlags,
     ) -> None:
         self.time = time
@@ -726,7 +726,7 @@ class LlhPosition(Command[None]):
         self.latitude = latitude
         self.longitude = longitude
         self.height = height
-        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Ned3f)
         self.valid_flags = valid_flags
 
     @classmethod
@@ -738,7 +738,7 @@ class LlhPosition(Command[None]):
         latitude = v[1]
         longitude = v[2]
         height = v[3]
-        uncertainty = types.Vector3f._make(v[4:7])
+        uncertainty = types.Ned3f._make(v[4:7])
         valid_flags = LlhAxisFlags(v[7])
         return cls(time, frame_id, latitude, longitude, height, uncertainty, valid_flags), at
 
@@ -938,21 +938,21 @@ class NedVelocity(Command[None]):
     NAME = "aiding.ned_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
-    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
+    _VECTORS = {"velocity": (types.Ned3f,), "uncertainty": (types.Ned3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
-    velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
-    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
-    `valid_flags`.
+    velocity: types.Ned3f
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid
+    flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of `valid_flags`, down:
+    `AxisFlags.Z` of `valid_flags`.
     """
-    uncertainty: types.Vector3f
-    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-    Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
-    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
+    uncertainty: types.Ned3f
+    """Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Range:
+    greater than 0. Each element has its own valid flag. north: `AxisFlags.X` of `valid_flags`,
+    east: `AxisFlags.Y` of `valid_flags`, down: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -961,14 +961,14 @@ class NedVelocity(Command[None]):
         self,
         time: MeasurementTime,
         frame_id: int,
-        velocity: types.Vector3f | codec.Numbers,
-        uncertainty: types.Vector3f | codec.Numbers,
+        velocity: types.Ned3f | codec.Numbers,
+        uncertainty: types.Ned3f | codec.Numbers,
         valid_flags: AxisFlags,
     ) -> None:
         self.time = time
         self.frame_id = frame_id
-        self.velocity = codec.vector(velocity, types.Vector3f)
-        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.velocity = codec.vector(velocity, types.Ned3f)
+        self.uncertainty = codec.vector(uncertainty, types.Ned3f)
         self.valid_flags = valid_flags
 
     @classmethod
@@ -977,8 +977,8 @@ class NedVelocity(Command[None]):
         v = _NED_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = types.Vector3f._make(v[1:4])
-        uncertainty = types.Vector3f._make(v[4:7])
+        velocity = types.Ned3f._make(v[1:4])
+        uncertainty = types.Ned3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 

@@ -431,12 +431,12 @@ class CommSpeedResponse(Response):
     _LAYOUT = (("port", "B", None), ("baud", "I", None))
 
     port: int
-    """Port id of the device; 0 means all ports, and is for save, load and default only.
+    """Port id of the device.
 
     - On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.
     """
     baud: int
-    """Baud rate; one that the port supports. Unit: Bd."""
+    """Baud rate of the port. Unit: Bd."""
 
     def __init__(self, port: int, baud: int) -> None:
         self.port = port
@@ -854,9 +854,9 @@ class GpsTimeUpdate(Command[R]):
 
     Send it once for the time of week and once for the week number after the PPS is locked. The PPS
     supplies the fraction of the second; send the whole second that began at its last edge. Send it
-    within 250 ms after the rising edge of the PPS. The 3DM-GX5-15 needs it once per second, the
-    3DM-CV7-GNSS/INS at least once. Send it again after a glitch of the PPS. It is usually not
-    needed if an internal GNSS receiver is the PPS source.
+    within 250 ms after the rising edge of the PPS. Once per second is recommended for the
+    3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once. Send it again after a glitch of the
+    PPS. It is usually not needed if an internal GNSS receiver is the PPS source.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

@@ -855,7 +855,7 @@ CV7_GNSS_INS = Device(
         ),
         "nmea_input": Note(
             "NMEA input",
-            "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is configured to receive, on that one only. An epoch is processed when a sentence with another time arrives.",
+            "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is configured to receive, on that one only. An epoch is processed when a sentence with another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that it refers to is not known.",
             (),
         ),
         "rtcm_input": Note(
@@ -925,6 +925,7 @@ CV7_GNSS_INS = Device(
 )
 """Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.
 Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+Uncertain: What the bug of NMEA input is that the manual warns of.
 
 - mip-sdk-4: Device models
 """
@@ -2727,9 +2728,10 @@ GX5_45 = Device(
 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP Manual, 8500-0064
 rev. C, known from some pages. This profile is incomplete: Only some pages of the manual are known,
 so it has more commands and data. This profile is incomplete: Only four fields of the filter data
-are listed; the manual has 27 or more. Uncertain: The base rates are those that the manuals of the
-3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a base
-rate of 100 Hz for the sensor data. Uncertain: The manual gives the length of
+are listed; the manual has 27 or more. Uncertain: The values of `filter.GnssSource` are those that
+MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
+3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for
+the sensor data. Uncertain: The manual gives the length of
 `mip_3dm.DeviceStatusBasicWithoutStateResponse` and offsets of
 `mip_3dm.DeviceStatusDiagnosticGx4Response`; MSCL differs.
 

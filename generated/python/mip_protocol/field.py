@@ -188,13 +188,17 @@ class Field(Structure):
 
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
-        """The first field of this type in a packet, if there is one."""
+        """The first field of this type in a packet, if there is one.
+
+        Raises DecodeError if it cannot be decoded, or if the packet ends within a field before it
+        is found.
+        """
         return next(cls.find_all(packet), None)
 
     @classmethod
     def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
         """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
-        cannot be decoded, or to a malformed field."""
+        cannot be decoded, or within which the packet ends."""
         shared = cls.SET == 0xFF and packet.set >= 0x80
         ack = cls.SET == 0 and packet.set < 0x80
         if packet.set == cls.SET or shared or ack:

@@ -18,9 +18,9 @@ from .protocol import FunctionSelector
 
 
 class DynamicsMode(codec.OpenEnum):
-    """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
-    descriptions follow from the names. Uncertain: `filter_data.Status` reports a mode too, but is
-    known to have the values 1 to 3 only.
+    """Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK
+    names the modes only; the descriptions follow from the names. Uncertain: `filter_data.Status`
+    reports a mode too, but is known to have the values 1 to 3 only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -192,7 +192,7 @@ class AidingSource(codec.OpenEnum):
     EXTERNAL_MAG = 7
     """Magnetic field that the user sends."""
     BODY_FRAME_VELOCITY = 8
-    """Velocity in the vehicle that the user sends."""
+    """Velocity in the body (vehicle) frame that the user sends."""
     ALL = 0xFFFF
     """All sources, for save, load and default."""
 
@@ -449,8 +449,10 @@ class AntennaOffsetResponse(Response):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    """From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10.
+
+    - On the 3DM-GX5-45: frame sensor.
     """
 
     def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
@@ -923,7 +925,9 @@ class ReferencePositionResponse(Response):
     longitude: float
     """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. Unit: m. Frame: llh."""
+    """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
+    manual does not say; its glossary counts altitudes from sea level.
+    """
 
     def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
         self.enable = enable
@@ -1130,7 +1134,7 @@ class TareOrientationResponse(Response):
     _LAYOUT = (("axes", "B", TareAxes),)
 
     axes: TareAxes
-    """Axes to tare; 0 resets all axes."""
+    """Axes that are tared."""
 
     def __init__(self, axes: TareAxes) -> None:
         self.axes = axes
@@ -1248,7 +1252,10 @@ class MagneticDeclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. Unit: rad."""
+    """Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+    out if `source` is not manual. The manual says that it is required only if it is, but gives one
+    length.
+    """
 
     def __init__(self, source: MagParameterSource, declination: float) -> None:
         self.source = source
@@ -1889,7 +1896,7 @@ class AidingMeasurementEnableResponse(Response):
     _LAYOUT = (("aiding_source", "H", AidingSource), ("enable", "B", codec.truth))
 
     aiding_source: AidingSource
-    """The source; `all` is for save, load and default."""
+    """The source."""
     enable: bool
     """Whether the filter uses the source."""
 
@@ -2048,13 +2055,14 @@ class InitializationConfigResponse(Response):
     """Initial position that the user provides. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
     """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the initial position and velocity."""
@@ -2246,7 +2254,8 @@ class RelativePositionConfigResponse(Response):
     """Reference point. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
 
     def __init__(
@@ -2305,7 +2314,7 @@ class ReferencePointLeverArmResponse(Response):
     _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
-    """Point to move; it must be 1."""
+    """The point."""
     lever_arm_offset: types.Vector3f
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
     most 10.
@@ -2480,9 +2489,7 @@ class GnssAntennaCalibrationControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-    vehicle. Range: 0 to 0.5. Default: 0.1.
-    """
+    """Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0."""
 
     def __init__(self, enable: int, max_offset: float) -> None:
         self.enable = enable
@@ -2664,7 +2671,7 @@ _VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 class VehicleDynamicsMode(Command[R]):
     """Vehicle dynamics mode (0x0D,0x10).
 
-    Kind of vehicle that the filter is tuned for.
+    Adapts the filter to the motion that it has to expect.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
@@ -3047,8 +3054,10 @@ class AntennaOffset(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None
-    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    """From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10. Required for `write`.
+
+    - On the 3DM-GX5-45: frame sensor.
     """
 
     def __init__(
@@ -3262,7 +3271,10 @@ class GnssSource(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None
-    """Source of the GNSS data. Required for `write`."""
+    """Source of the GNSS data. Required for `write`.
+
+    - On the 3DM-GX5-45: only `GnssAidingSource.ALL_INTERNAL` and `GnssAidingSource.EXTERNAL`.
+    """
 
     def __init__(self, function: FunctionSelector, source: GnssAidingSource | None = None) -> None:
         self.function = function
@@ -3345,7 +3357,7 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
 class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
-    Gives the filter one position and velocity of a GNSS receiver that the user provides.
+    One measurement of position and velocity by a GNSS receiver of the user.
 
     Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
@@ -3385,14 +3397,14 @@ class ExternalGnssUpdate(Command[None]):
         ("latitude", "d", None),
         ("longitude", "d", None),
         ("height", "d", None),
-        ("velocity", "fff", types.Vector3f),
-        ("position_uncertainty", "fff", types.Vector3f),
-        ("velocity_uncertainty", "fff", types.Vector3f),
+        ("velocity", "fff", types.Ned3f),
+        ("position_uncertainty", "fff", types.Ned3f),
+        ("velocity_uncertainty", "fff", types.Ned3f),
     )
     _VECTORS = {
-        "velocity": (types.Vector3f,),
-        "position_uncertainty": (types.Vector3f,),
-        "velocity_uncertainty": (types.Vector3f,),
+        "velocity": (types.Ned3f,),
+        "position_uncertainty": (types.Ned3f,),
+        "velocity_uncertainty": (types.Ned3f,),
     }
 
     tow: float
@@ -3405,12 +3417,12 @@ class ExternalGnssUpdate(Command[None]):
     """Longitude. Unit: deg. Frame: llh."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
-    velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
-    position_uncertainty: types.Vector3f
-    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
-    velocity_uncertainty: types.Vector3f
-    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+    velocity: types.Ned3f
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
+    position_uncertainty: types.Ned3f
+    """Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned."""
+    velocity_uncertainty: types.Ned3f
+    """Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned."""
 
     def __init__(
         self,
@@ -3419,18 +3431,18 @@ class ExternalGnssUpdate(Command[None]):
         latitude: float,
         longitude: float,
         height: float,
-        velocity: types.Vector3f | codec.Numbers,
-        position_uncertainty: types.Vector3f | codec.Numbers,
-        velocity_uncertainty: types.Vector3f | codec.Numbers,
+        velocity: types.Ned3f | codec.Numbers,
+        position_uncertainty: types.Ned3f | codec.Numbers,
+        velocity_uncertainty: types.Ned3f | codec.Numbers,
     ) -> None:
         self.tow = tow
         self.week_number = week_number
         self.latitude = latitude
         self.longitude = longitude
         self.height = height
-        self.velocity = codec.vector(velocity, types.Vector3f)
-        self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
-        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
+        self.velocity = codec.vector(velocity, types.Ned3f)
+        self.position_uncertainty = codec.vector(position_uncertainty, types.Ned3f)
+        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Ned3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
@@ -3441,9 +3453,9 @@ class ExternalGnssUpdate(Command[None]):
         latitude = v[2]
         longitude = v[3]
         height = v[4]
-        velocity = types.Vector3f._make(v[5:8])
-        position_uncertainty = types.Vector3f._make(v[8:11])
-        velocity_uncertainty = types.Vector3f._make(v[11:14])
+        velocity = types.Ned3f._make(v[5:8])
+        position_uncertainty = types.Ned3f._make(v[8:11])
+        velocity_uncertainty = types.Ned3f._make(v[11:14])
         return cls(
             tow,
             week_number,
@@ -4715,7 +4727,9 @@ class ReferencePosition(Command[R]):
     longitude: float | None
     """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None
-    """Altitude. Unit: m. Frame: llh. Required for `write`."""
+    """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or
+    from sea level. The manual does not say; its glossary counts altitudes from sea level.
+    """
 
     def __init__(
         self,
@@ -4837,7 +4851,7 @@ _MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
-    Makes the automatic magnetometer calibration part of the fixed one.
+    Moves what the automatic magnetometer calibration has found into the fixed calibration.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
     Known only from the MicroStrain MIP SDK.
@@ -5335,7 +5349,10 @@ class EnableMeasurements(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     control: MeasurementFlags | None
-    """Measurements to use. Required for `write`."""
+    """Measurements to use. Required for `write`.
+
+    - On the 3DM-GX5-15: only `MeasurementFlags.ACCEL`.
+    """
 
     def __init__(self, function: FunctionSelector, control: MeasurementFlags | None = None) -> None:
         self.function = function
@@ -5546,7 +5563,10 @@ class MagneticDeclinationSource(Command[R]):
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
     declination: float | None
-    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The manual says that it is required only
+    if it is, but gives one length.
+    """
 
     def __init__(
         self,
@@ -7194,7 +7214,7 @@ _KINEMATIC_CONSTRAINT_GROUPS = (
 class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
 
-    Assumptions about the motion that the filter uses as measurements.
+    What the filter may take for granted about the motion, in place of measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `KinematicConstraintResponse`. Not listed in any device profile. Known only from the MicroStrain
@@ -7419,13 +7439,14 @@ class InitializationConfig(Command[R]):
     """Initial position that the user provides. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None
     """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
     """
     reference_frame_selector: ReferenceFrame | None
     """Frame of the initial position and velocity. Required for `write`."""
@@ -7919,7 +7940,8 @@ class RelativePositionConfig(Command[R]):
     """Reference point. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
-    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
+      unit deg, deg, m; frame llh.
     """
 
     def __init__(
@@ -8601,8 +8623,10 @@ class GnssAntennaCalibrationControl(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
+    """Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. Required
+    for `write`.
+
+    - On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
     """
 
     def __init__(

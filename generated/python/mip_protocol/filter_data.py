@@ -2081,7 +2081,8 @@ _DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
 class DensityAltitude(Data):
     """Density altitude (0x82,0x22).
 
-    Altitude at which the standard atmosphere has the density of the air around the device.
+    The density of the surrounding air, as the altitude at which the standard atmosphere is as
+    dense.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
     gives the name only; the description is the usual meaning of the term.
@@ -3014,27 +3015,27 @@ class NedRelativePosition(Data):
     DESCRIPTOR = 0x42
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
-    _LAYOUT = (("relative_position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
-    _VECTORS = {"relative_position": (types.Vector3d,)}
+    _LAYOUT = (("relative_position", "ddd", types.Ned3d), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"relative_position": (types.Ned3d,)}
 
-    relative_position: types.Vector3d
-    """Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    relative_position: types.Ned3d
+    """Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
 
     def __init__(
-        self, relative_position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags
+        self, relative_position: types.Ned3d | codec.Numbers, valid_flags: ValidFlags
     ) -> None:
-        self.relative_position = codec.vector(relative_position, types.Vector3d)
+        self.relative_position = codec.vector(relative_position, types.Ned3d)
         self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
         v = _NED_RELATIVE_POSITION_0.read(raw, at)
         at += 26
-        relative_position = types.Vector3d._make(v[0:3])
+        relative_position = types.Ned3d._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(relative_position, valid_flags), at
 
@@ -3120,7 +3121,7 @@ _GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["r
 class GnssAttitudeAidingStatus(Data):
     """GNSS attitude aiding status (0x82,0x44).
 
-    How the filter uses the attitude that two GNSS antennas give.
+    State of the attitude aiding by two GNSS antennas.
 
     Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.

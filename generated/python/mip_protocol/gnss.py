@@ -646,7 +646,7 @@ _RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
 class RtkDongleConfig(Command[R]):
     """RTK dongle configuration (0x0E,0x10).
 
-    Whether the device talks to the RTK dongle that is connected to it.
+    Switches the communication with a connected RTK dongle on or off.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
     `default`. Answered by `RtkDongleConfigResponse`. Not listed in any device profile. Known only

@@ -913,7 +913,7 @@ class NedVelocity(Data):
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
     _LAYOUT = (
-        ("velocity", "fff", types.Vector3f),
+        ("velocity", "fff", types.Ned3f),
         ("speed", "f", None),
         ("ground_speed", "f", None),
         ("heading", "f", None),
@@ -921,11 +921,11 @@ class NedVelocity(Data):
         ("heading_accuracy", "f", None),
         ("valid_flags", "H", NedVelocityFlags),
     )
-    _VECTORS = {"velocity": (types.Vector3f,)}
+    _VECTORS = {"velocity": (types.Ned3f,)}
 
-    velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
-    `valid_flags` is set.
+    velocity: types.Ned3f
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
+    `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
     """
     speed: float
     """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
@@ -950,7 +950,7 @@ class NedVelocity(Data):
 
     def __init__(
         self,
-        velocity: types.Vector3f | codec.Numbers,
+        velocity: types.Ned3f | codec.Numbers,
         speed: float,
         ground_speed: float,
         heading: float,
@@ -958,7 +958,7 @@ class NedVelocity(Data):
         heading_accuracy: float,
         valid_flags: NedVelocityFlags,
     ) -> None:
-        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.velocity = codec.vector(velocity, types.Ned3f)
         self.speed = speed
         self.ground_speed = ground_speed
         self.heading = heading
@@ -970,7 +970,7 @@ class NedVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        velocity = types.Vector3f._make(v[0:3])
+        velocity = types.Ned3f._make(v[0:3])
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -4906,7 +4906,7 @@ class GalileoIonoCorrection(Data):
     `valid_flags` is set. Uncertain: The units.
     """
     disturbance_flags: int
-    """Storm flags of five regions, in bits 1 to 5. Valid if
+    """Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
     `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
     bits count from 0 or from 1, and which region each represents.
     """

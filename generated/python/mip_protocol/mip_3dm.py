@@ -399,7 +399,7 @@ class DeviceStatusSelector(codec.OpenEnum):
 
 
 class LegacyDataStream(codec.OpenEnum):
-    """A data stream of a 5-series device.
+    """A data stream of a device of the generations 3 to 5.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     """
@@ -662,9 +662,10 @@ class DataStreamControlResponse(Response):
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
       3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
-      3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `LegacyDataStream`.
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+      3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+    - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
+      `LegacyDataStream.FILTER`.
     """
     enabled: bool
     """Whether the stream is sent."""
@@ -946,7 +947,7 @@ class MessageFormatResponse(Response):
     ROLE = "response"
 
     descriptor_set: int
-    """Data descriptor set; 0 means all of them (save, load, default)."""
+    """Data descriptor set."""
     # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of `descriptor_set`."""
@@ -3310,7 +3311,7 @@ class PpsSourceControlResponse(Response):
     _LAYOUT = (("source", "B", PpsSource),)
 
     source: PpsSource
-    """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
+    """Source of the pulse."""
 
     def __init__(self, source: PpsSource) -> None:
         self.source = source
@@ -3541,9 +3542,9 @@ class EventControlResponse(Response):
     _LAYOUT = (("instance", "B", None), ("mode", "B", types.EventTriggerMode))
 
     instance: int
-    """Trigger instance; 0 means all configured triggers, except for read."""
+    """Trigger instance."""
     mode: types.EventTriggerMode
-    """New mode. Default: `types.EventTriggerMode.DISABLED`."""
+    """Mode of the trigger. Default: `types.EventTriggerMode.DISABLED`."""
 
     def __init__(self, instance: int, mode: types.EventTriggerMode) -> None:
         self.instance = instance
@@ -3671,7 +3672,7 @@ class EventTriggerConfigResponse(Response):
     ROLE = "response"
 
     instance: int
-    """Trigger instance; 0 means all (save, load, default)."""
+    """Trigger instance."""
     type: types.EventTriggerType
     """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
@@ -3757,7 +3758,7 @@ class EventActionConfigResponse(Response):
     ROLE = "response"
 
     instance: int
-    """Action instance; 0 means all (save, load, default)."""
+    """Action instance."""
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
@@ -3838,7 +3839,7 @@ class GpioConfigResponse(Response):
     )
 
     pin: int
-    """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
+    """GPIO pin, counted from 1."""
     feature: types.GpioFeature
     """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
@@ -4097,14 +4098,13 @@ class LowPassFilterResponse(Response):
     descriptor_set: int
     """Descriptor set of the field."""
     field_descriptor: int
-    """Field descriptor; 0 if the set is 0. Refers to fields of `descriptor_set`."""
+    """Field descriptor. Refers to fields of `descriptor_set`."""
     enable: bool
     """Whether the field is filtered."""
     manual: bool
     """True uses `frequency`; false uses half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
-    """
+    """Cutoff in use. Unit: Hz."""
 
     def __init__(
         self,
@@ -4830,7 +4830,9 @@ class NmeaMessageFormat(Command[R]):
     `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
-    only while the device is not idle and the data of the source is valid.
+    only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
+    refuses the format if a sentence would come more than 10 times per second, or, from a GNSS set,
+    more than twice.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -5237,8 +5239,8 @@ class DataStreamControl(Command[R]):
     3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
     3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
-    5-series devices identify the stream by a number (`LegacyDataStream`), other devices by its
-    descriptor set.
+    Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
+    devices by its descriptor set.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -5261,9 +5263,10 @@ class DataStreamControl(Command[R]):
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
       3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
-      3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `LegacyDataStream`.
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+      3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+    - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and
+      `LegacyDataStream.FILTER`.
     """
     enable: bool | None
     """Whether the stream is sent. Default: true. Required for `write`."""
@@ -5937,10 +5940,11 @@ class PpsSourceControl(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None
-    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`.
+    """Source of the pulse. Required for `write`.
 
     - On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
       `PpsSource.GENERATED`.
+    - On the 3DM-CV7-GNSS/INS: default `PpsSource.RECEIVER_1`.
     """
 
     def __init__(self, function: FunctionSelector, source: PpsSource | None = None) -> None:
@@ -6634,11 +6638,12 @@ class DeviceSettings(Command[None]):
 
     Saves, loads or resets all settings of the device at once.
 
-    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
+    Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
-    A save may disturb the data output for a short time.
+    A save may disturb the data output for a short time. A save may take up to 1 s. A host should
+    wait longer, because the answer must come through, too.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -6652,7 +6657,7 @@ class DeviceSettings(Command[None]):
     NAME = "3dm.device_settings"
     ROLE = "command"
     REQUIRED = {3: 0, 4: 0, 5: 0}
-    TIMEOUT = 1.0
+    TIMEOUT = 2.0
 
     function: FunctionSelector
     """What to do with the setting."""
@@ -6711,9 +6716,9 @@ class SensorToVehicleTransformEuler(Command[R]):
     transformation; the value read back may be another form of it. Starting in line with the vehicle
     frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this
     order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` It applies to the sensor data,
-    the complementary filter and the attitude, acceleration, rate and gravity of the filter. A
-    change resets the low-pass filters, the complementary filter and the estimation filter. On some
-    older devices the setting is the inverse rotation.
+    the complementary filter and the attitude, acceleration, rate and gravity of the filter. Every
+    change makes both attitude filters, complementary and estimation, and all low-pass filters start
+    anew. On some older devices the setting is the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -6855,8 +6860,8 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. A change resets the low-pass filters, the
-    complementary filter and the estimation filter.
+    `filter.SensorToVehicleRotationQuaternion` takes. Every change makes both attitude filters,
+    complementary and estimation, and all low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -6971,8 +6976,8 @@ class SensorToVehicleTransformDcm(Command[R]):
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. A change
-    resets the low-pass filters, the complementary filter and the estimation filter.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
+    makes both attitude filters, complementary and estimation, and all low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -7820,10 +7825,11 @@ class GpioConfig(Command[R]):
     Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
     3DM-GQ7-GNSS/INS.
 
-    Not every pin has every feature. For an output, configure the function first, then the pin; for
-    an input, configure the pin first, then the function. A configuration that only one pin can have
-    moves to the last pin configured; the earlier pin is reset. With NMEA input at most one pin may
-    be a UART input; set it to unused before another one takes over.
+    Not every pin has every feature. For an output with another feature than gpio, set up what
+    drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
+    the pin first, then what uses it. A configuration that only one pin can have moves to the last
+    pin configured; the earlier pin is reset. With NMEA input at most one pin may be a UART input;
+    set it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """

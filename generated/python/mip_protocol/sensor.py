@@ -414,7 +414,7 @@ class CompOrientationMatrix(Data):
 
     m: types.Matrix3f
     """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-    m31, m32, m33. Unit: 1.
+    m31, m32, m33. Unit: 1. Frame: ned.
 
     - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
@@ -462,7 +462,8 @@ class CompQuaternion(Data):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1.
+    """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
+    ned.
 
     - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
@@ -551,11 +552,11 @@ class CompEulerAngles(Data):
     _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
-    """Roll angle. Unit: rad."""
+    """Roll angle. Unit: rad. Frame: ned."""
     pitch: float
-    """Pitch angle. Unit: rad."""
+    """Pitch angle. Unit: rad. Frame: ned."""
     yaw: float
-    """Yaw angle. Unit: rad."""
+    """Yaw angle. Unit: rad. Frame: ned."""
 
     def __init__(self, roll: float, pitch: float, yaw: float) -> None:
         self.roll = roll
@@ -716,8 +717,9 @@ class NorthVector(Data):
 
     Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
-    Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
-    compensated.
+    Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
+    sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
+    not compensated.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
@@ -760,7 +762,8 @@ class UpVector(Data):
 
     Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
-    At rest it equals the measured acceleration.
+    At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
+    a sensor-to-vehicle transformation changes.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     """

@@ -37,10 +37,10 @@ class BuiltInTest(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    The field is long; stream it at a low rate or poll it. A flag stays set until it is sent, so a
-    short fault between two messages or during idle is not lost. Each stream and each event action
-    keeps its own copy of the flags. Some flags may be set without a fault, for instance a receiver
-    without a position fix. Unnamed bits are reserved and must be ignored.
+    The field is long; stream it at a low rate or poll it. A fault is reported even if it has passed
+    by the time of the next message, because its flag remains until it is sent. Each stream and each
+    event action keeps its own copy of the flags. Some flags may be set without a fault, for
+    instance a receiver without a position fix. Unnamed bits are reserved and must be ignored.
 
     - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
     """

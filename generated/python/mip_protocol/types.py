@@ -251,7 +251,7 @@ class EventThresholdType(codec.OpenEnum):
     """
 
     WINDOW = 1
-    """The value lies between two thresholds."""
+    """The value is in a window between two thresholds, or outside of it."""
     INTERVAL = 2
     """The remainder of the value divided by an interval is at most a threshold."""
 
@@ -323,8 +323,9 @@ class EventThresholdWindow(Structure):
     low_threshold: float
     """Lower threshold, in the unit of the watched value."""
     high_threshold: float
-    """Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
-    is active outside the window.
+    """Upper threshold, in the unit of the watched value. The trigger is active from the lower
+    threshold to the upper one, both included. If the upper one is below the lower one, it is active
+    below the upper and above the lower one, both excluded.
     """
 
     def __init__(self, low_threshold: float, high_threshold: float) -> None:
@@ -1232,6 +1233,22 @@ class Vector3d(NamedTuple):
     x: float
     y: float
     z: float
+
+
+class Ned3f(NamedTuple):
+    """Three floats in the NED frame. Elements: north, east, down."""
+
+    north: float
+    east: float
+    down: float
+
+
+class Ned3d(NamedTuple):
+    """Three doubles in the NED frame. Elements: north, east, down."""
+
+    north: float
+    east: float
+    down: float
 
 
 class Matrix3f(NamedTuple):

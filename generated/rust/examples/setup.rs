@@ -3,6 +3,7 @@
 //!     cargo run --example setup --features std -- /dev/ttyACM0
 
 use std::error::Error;
+use std::io::{stdout, Write};
 use std::time::Duration;
 
 use mip_protocol::device::{Device, StdPort};
@@ -41,11 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // 4. Is it so?
     let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SET, accel))?;
-    println!("low-pass filter at {} Hz", filter.frequency);
     let format = device.request(&mip_3dm::MessageFormat::read(sensor::SET))?;
-    for field in format.descriptors.iter() {
-        println!("field 0x{:02X} at {} Hz", field.descriptor, base_rate / field.decimation.max(1));
-    }
 
     // 5. Save, so that it is the same after the next start.
     device.run(&mip_3dm::LowPassFilter::save(sensor::SET, accel))?;
@@ -55,6 +52,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     // 6. Resume: data come.
     device.run(&base::Resume::new())?;
     let packet = device.next_packet(2000)?.ok_or("no data")?;
-    println!("saved; {} fields in the first packet", packet.fields().count());
+
+    // It is shown last: a reader that has gone, as with `setup PORT | head`, stops nothing before.
+    let mut out = stdout().lock();
+    writeln!(out, "low-pass filter at {} Hz", filter.frequency)?;
+    for field in format.descriptors.iter() {
+        let rate = base_rate / field.decimation.max(1);
+        writeln!(out, "field 0x{:02X} at {rate} Hz", field.descriptor)?;
+    }
+    writeln!(out, "saved; {} fields in the first packet", packet.fields().count())?;
     Ok(())
 }

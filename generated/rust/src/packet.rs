@@ -164,7 +164,10 @@ impl<'a> Packet<'a> {
     /// Iterates over the fields.
     #[must_use]
     pub fn fields(&self) -> Fields<'a> {
-        Fields { set: self.set(), payload: self.payload() }
+        match *self.bytes {
+            [_, _, set, _, ref payload @ .., _, _] => Fields { set, payload },
+            _ => Fields::NONE,
+        }
     }
 
     /// The first field of this type, decoded; `None` if the packet has none.
@@ -220,6 +223,15 @@ pub struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     pub(crate) const NONE: Self = Self { set: 0, payload: &[] };
+
+    pub(crate) fn new(set: u8, payload: &'a [u8]) -> Self {
+        Self { set, payload }
+    }
+
+    /// The bytes of this and all further fields.
+    pub(crate) const fn payload(&self) -> &'a [u8] {
+        self.payload
+    }
 
     /// The next field, if there is one that is not malformed.
     #[inline]

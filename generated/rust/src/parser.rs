@@ -1,5 +1,6 @@
 //! Finds packets in a stream of bytes that arrives piece by piece.
 
+use core::cell::Cell;
 use core::fmt;
 
 use crate::packet::{checksum, Packet, HEADER, HOST, MAX_PACKET, OVERHEAD};
@@ -67,8 +68,7 @@ pub(crate) fn judge(bytes: &[u8]) -> Candidate {
 
 /// The first byte, and those up to the next that may begin a packet.
 pub(crate) fn noise(bytes: &[u8]) -> usize {
-    let sync = bytes.iter().skip(1).position(|b| *b == SYNC[0]);
-    sync.map_or(bytes.len(), |at| at.saturating_add(1))
+    bytes.iter().skip(1).take_while(|b| **b != SYNC[0]).count().wrapping_add(1)
 }
 
 /// What follows the first bytes.
@@ -119,36 +119,35 @@ impl Parser {
     /// Discards the pending candidate only if a whole packet follows its first bytes, and returns
     /// that packet: the candidate was noise. Otherwise nothing changes.
     pub fn look_behind(&mut self) -> Option<Packet<'_>> {
-        self.held_back(true)
+        (self.holds() || self.holds_behind()).then(|| self.packet())
     }
 
-    /// The next packet that is complete in the buffer; also one after the candidate, if requested.
-    pub(crate) fn held_back(&mut self, behind_candidate: bool) -> Option<Packet<'_>> {
-        if self.step(&[]).0 == 0 {
-            if !behind_candidate {
-                return None;
+    /// Is the next packet complete in the buffer?
+    pub(crate) fn holds(&mut self) -> bool {
+        self.step(&[]).0 > 0
+    }
+
+    /// Is there one behind the first bytes of the candidate, which is then noise?
+    pub(crate) fn holds_behind(&mut self) -> bool {
+        let mut rest = self.held();
+        while let [_, behind @ ..] = rest {
+            rest = behind;
+            if let Candidate::Whole(size) = judge(rest) {
+                let noise = self.held().len().wrapping_sub(rest.len());
+                self.skip(noise);
+                self.drop_front(noise);
+                (self.done, self.missing) = (short(size), 0);
+                return true;
             }
-            let mut at = 0_usize;
-            let size = loop {
-                at = at.wrapping_add(1);
-                match judge(behind(self.held(), at)) {
-                    Candidate::Whole(size) => break size,
-                    _ if at >= self.held().len() => return None,
-                    _ => {}
-                }
-            };
-            self.skip(at);
-            self.drop_front(at);
-            (self.done, self.missing) = (short(size), 0);
         }
-        Some(self.packet())
+        false
     }
 
     /// Discards the pending candidate, for example at the end of a file.
     ///
     /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
-        while self.step(&[]).0 == 0 {
+        while !self.holds() {
             if self.length == 0 {
                 return None;
             }
@@ -183,7 +182,7 @@ impl Parser {
                         self.done = short(size);
                         return (size, input.len());
                     }
-                    return (size, input.len().saturating_sub(size));
+                    return (size, input.len().wrapping_sub(size));
                 }
                 Candidate::Open(size) => {
                     let known = bytes.len();
@@ -194,7 +193,7 @@ impl Parser {
                         self.missing = short(known);
                         input = self.fill(input);
                     }
-                    self.missing = short(size.saturating_sub(known));
+                    self.missing = short(size.wrapping_sub(known));
                 }
                 Candidate::Bad => {
                     let count = noise(bytes);
@@ -203,7 +202,7 @@ impl Parser {
                         self.drop_front(count);
                         // The rest, which has just been copied, is found again where it was.
                         let left = usize::from(self.length);
-                        let start = given.len().saturating_sub(input.len()).checked_sub(left);
+                        let start = given.len().wrapping_sub(input.len()).checked_sub(left);
                         if let Some(start) = start {
                             input = behind(given, start);
                             self.length = 0;
@@ -249,14 +248,11 @@ impl Parser {
 
     /// Removes bytes from the front of the buffer.
     fn drop_front(&mut self, count: usize) {
-        let (mut from, mut to) = (count, 0);
-        while let Some(byte) = self.held().get(from).copied() {
-            if let Some(place) = self.buffer.get_mut(to) {
-                *place = byte;
-            }
-            (from, to) = (from.wrapping_add(1), to.wrapping_add(1));
-        }
-        self.length = short(to);
+        let held = self.buffer.get_mut(..self.length.into()).unwrap_or_default();
+        let places = Cell::from_mut(held).as_slice_of_cells();
+        let rest = places.get(count..).unwrap_or_default();
+        places.iter().zip(rest).for_each(|(to, from)| to.set(from.get()));
+        self.length = short(rest.len());
     }
 
     /// Takes the first bytes of a candidate of this size.
@@ -271,15 +267,16 @@ impl Parser {
     /// Takes the missing bytes, as far as they are there. Returns those behind.
     #[inline]
     fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
+        let start = usize::from(self.length);
         let count = usize::from(self.missing).min(input.len());
-        let (head, tail) = input.split_at(count);
-        let free = self.buffer.get_mut(self.length.into()..).unwrap_or_default();
-        match (free, head) {
-            ([place, ..], [byte]) => *place = *byte,
-            (free, head) => copy(free, head),
-        }
         self.length = self.length.wrapping_add(short(count));
         self.missing = self.missing.wrapping_sub(short(count));
+        let (head, tail) = input.split_at(count);
+        let free = self.buffer.get_mut(start..).unwrap_or_default();
+        match (free, head) {
+            ([place, ..], [byte]) if HOST => *place = *byte,
+            (free, head) => copy(free, head),
+        }
         tail
     }
 }

@@ -50,11 +50,39 @@ impl FieldInfo {
         visit(field, Describe)
     }
 
+    /// Its values, in the order of the packet: those that the type of the field holds.
+    ///
+    /// It searches for the field; [`Listed::PARAMETERS`] are at hand where its type is known.
+    #[must_use]
+    pub fn parameters(&self) -> &'static [ParameterInfo] {
+        let mut all = FIELDS.iter().zip(fields::PARAMETERS);
+        all.find(|(info, _)| info.name == self.name).map_or(&[], |(_, found)| *found)
+    }
+
     /// May packets of this set contain the field?
     #[must_use]
     pub const fn in_set(&self, set: u8) -> bool {
         self.sets.0 <= set && set <= self.sets.1
     }
+}
+
+/// The description of a value of a field or of a structure.
+///
+/// A program contains them only if it uses [`FieldInfo::parameters`] or [`Listed::PARAMETERS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct ParameterInfo {
+    /// The name in the specification.
+    pub name: &'static str,
+    /// The names of the elements of a vector, or nothing.
+    pub elements: &'static [&'static str],
+    /// The unit of all elements, or that of each: `["m/s"]`, `["deg", "deg", "m"]`; `["1"]` for a
+    /// plain number; nothing if it has none, or if another value decides it.
+    pub units: &'static [&'static str],
+    /// The frame of reference, if there is one and no other value decides it.
+    pub frame: Option<&'static str>,
+    /// The values of a structure, or of each structure of an array; of a union its alternatives.
+    pub members: &'static [ParameterInfo],
 }
 
 /// The methods of every field type in the registry. Only the types of this crate implement it.
@@ -71,6 +99,9 @@ pub trait Listed:
 {
     /// The description of the field.
     const INFO: FieldInfo;
+
+    /// The descriptions of its values, in the order of the packet.
+    const PARAMETERS: &'static [ParameterInfo];
 
     /// The field as one of any type.
     #[must_use]

@@ -310,7 +310,7 @@ open_enum! {
     ///
     /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
     EventThresholdType: u8 {
-        /// The value lies between two thresholds.
+        /// The value is in a window between two thresholds, or outside of it.
         WINDOW = 1, "window";
         /// The remainder of the value divided by an interval is at most a threshold.
         INTERVAL = 2, "interval";
@@ -367,8 +367,9 @@ record! {
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
         pub low_threshold: f64,
-        /// Upper threshold, in the unit of the watched value. If it is below the lower one, the
-        /// trigger is active outside the window.
+        /// Upper threshold, in the unit of the watched value. The trigger is active from the lower
+        /// threshold to the upper one, both included. If the upper one is below the lower one, it
+        /// is active below the upper and above the lower one, both excluded.
         pub high_threshold: f64,
     }
 }
@@ -441,7 +442,7 @@ union! {
     /// The alternatives of `thresholds` in [`EventTriggerThreshold`].
     #[derive(Copy)]
     pub enum EventTriggerThresholdThresholds: EventThresholdType {
-        /// The value lies between two thresholds.
+        /// The value is in a window between two thresholds, or outside of it.
         ///
         /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::WINDOW`].
         #[cfg_attr(feature = "serde", serde(rename = "window"))]
@@ -1056,6 +1057,30 @@ vector! {
         y,
         /// The element z.
         z,
+    }
+}
+
+vector! {
+    /// Three floats in the NED frame.
+    Ned3f: [f32; 3] {
+        /// The element north.
+        north,
+        /// The element east.
+        east,
+        /// The element down.
+        down,
+    }
+}
+
+vector! {
+    /// Three doubles in the NED frame.
+    Ned3d: [f64; 3] {
+        /// The element north.
+        north,
+        /// The element east.
+        east,
+        /// The element down.
+        down,
     }
 }
 

@@ -112,6 +112,7 @@ def test_info(path: Path, piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
         ("sensor", "filter_data", "--without", "filter_data.euler_angles", "--invalid", "mask"),
         ("shared.gps_timestamp", "sensor", "--without", "0x80:0xD3"),
         ("--split",),
+        ("--only", "0x01,0x0C,0x0D,0x0E,0x13,0x7F,sensor,acknowledge"),
     ],
     ids=" ".join,
 )

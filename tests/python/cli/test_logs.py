@@ -15,9 +15,10 @@ import sys
 import time
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import pytest
-from mip_protocol import Packet, PacketBuilder, Parser, filter_data, gnss_1, registry, sensor, shared
+from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, gnss_1, registry, sensor, shared
 from mip_protocol.cli import outputs
 from mip_protocol.errors import Failure
 from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
@@ -372,7 +373,8 @@ def test_any_field_can_be_exported(tmp_path: Path) -> None:
     (tmp_path / "log").write_bytes(data)
     for form in ("csv", "jsonl"):
         for named in ([], ["--names"]):
-            words = ["export", tmp_path / "log", "-o", "-", "--format", form, "--invalid", "mask", *named]
+            words = ["export", tmp_path / "log", *map(str, range(1, 255)), "-o", "-", "--format", form]
+            words += ["--invalid", "mask", *named]
             code, out, error = mip(*words)
             assert code == 0, error
             if form == "jsonl":
@@ -380,6 +382,26 @@ def test_any_field_can_be_exported(tmp_path: Path) -> None:
             else:
                 rows = list(csv.reader(io.StringIO(out)))
                 assert len(rows) > 200 and len({len(row) for row in rows}) == 1
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet", "arrow"])
+def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Path, tmp_path: Path) -> None:
+    """A recording may have them, between the data that its user wants."""
+    answers = bytes(base.Ping().packet()) + bytes.fromhex("7565010404f10100d56a")
+    plain, mixed = tmp_path / "plain.bin", tmp_path / "mixed.bin"
+    plain.write_bytes(log(0.5))
+    mixed.write_bytes(log(0.5) + answers)
+    out = [tmp_path / f"{x.stem}.{form}" for x in (plain, mixed)]
+    for source, target in zip((plain, mixed), out):
+        assert mip("export", source, "-o", target) == (0, "", "")
+    if form != "npz":  # a zip file has the time in it
+        assert out[0].read_bytes() == out[1].read_bytes()
+    for names in (["acknowledge"], ["base"], ["--only", "0x01"]):
+        assert mip("export", mixed, *names, "-o", out[1]) == (0, "", ""), names
+        assert out[1].read_bytes() != out[0].read_bytes()
+    mixed.write_bytes(answers)
+    what = "no data (commands and answers must be named); `mip info` lists the fields that it has"
+    assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
 
 
 # --------------------------------------------------------------------------- whole files, or none
@@ -459,6 +481,93 @@ def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None
         path.write_bytes(b"theirs")
     (part,) = tmp_path.glob("*.part")
     assert (part.read_bytes(), path.read_bytes()) == (b"mine", b"theirs")
+
+
+@pytest.mark.parametrize("keep", [True, False])
+def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
+    """Each time in another line of what opens, closes and names the file: it is whole or not there, and no part is."""
+    path = tmp_path / "log.bin"
+    left = at = 0
+
+    def interrupt(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal left
+        if not frame.f_code.co_filename.endswith(("outputs.py", "contextlib.py", "signals.py")):
+            return None
+        left -= 1
+        if left == 0:
+            signal.raise_signal(signal.SIGINT)
+        return interrupt
+
+    def write() -> None:
+        with outputs.whole(str(path), keep=keep) as file:
+            file.write(b"all")
+
+    before = sys.gettrace()
+    while left <= 0:
+        at += 1
+        left = at
+        sys.settrace(interrupt)
+        try:
+            write()
+        except KeyboardInterrupt:  # not `suppress`, which would be interrupted, too
+            pass
+        finally:
+            sys.settrace(before)
+        assert list(tmp_path.iterdir()) == [path] * path.exists(), at
+        if path.exists():
+            assert path.read_bytes() == b"all", at
+            path.unlink()
+    assert at > 50
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_names_of_any_length(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("x" * 251 + ".csv", "ä" * 125 + ".csv"):
+        assert run(capsys, "export", path, "-o", path.with_name(name)) == (0, "", "")
+        assert path.with_name(name).stat().st_size > 1000
+    for name, reason in (
+        ("x" * 252 + ".csv", "File name too long"),
+        ("log.bin/x.csv", "Not a directory"),
+        ("no/x.csv", "No such file or directory"),
+    ):
+        out = f"{path.parent}/{name}"
+        assert run(capsys, "export", path, "-o", out) == (1, "", f"mip export: {out} cannot be written: {reason}\n")
+    assert run(capsys, "export", path, "-o", "") == (2, "", "mip export: the name of the output is empty\n")
+    assert "is a folder" in run(capsys, "export", path, "--format", "csv", "-o", f"{path.parent}/new/")[2]
+    assert len(list(path.parent.iterdir())) == 3
+
+
+def test_an_output_that_is_a_link_or_has_permissions(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it leads to is written, though it is not there yet; the permissions of an older file stay."""
+    (path.parent / "folder").mkdir()
+    target, link = path.parent / "folder/real.csv", path.with_name("link.csv")
+    link.symlink_to("folder/real.csv")
+    for _ in range(2):
+        assert run(capsys, "export", path, "-o", link) == (0, "", "")
+        assert link.is_symlink() and target.stat().st_size > 1000
+        target.write_text("older")
+        target.chmod(0o600)
+    assert run(capsys, "export", path, "-o", link) == (0, "", "")
+    assert target.stat().st_mode & 0o777 == 0o600 and target.stat().st_size > 1000
+    assert [p.name for p in target.parent.iterdir()] == ["real.csv"]
+    loop = path.with_name("loop.csv")
+    loop.symlink_to("loop.csv")
+    code, _, error = run(capsys, "export", path, "-o", loop)
+    assert code == 1 and "cannot be written: Too many levels of symbolic links" in error
+
+
+def test_the_name_of_standard_output(path: Path) -> None:
+    """What is in the file already is kept."""
+    out = path.with_name("all.csv")
+    out.write_bytes(b"before\n")
+    link = path.with_name("stdout.csv")
+    link.symlink_to("/dev/stdout")
+    words = command("export", path, "sensor.scaled_accel", "-o", link)
+    with out.open("ab") as file:
+        assert subprocess.run(words, stdout=file, env=ENVIRONMENT).returncode == 0
+    piped = subprocess.run(words, stdout=subprocess.PIPE, env=ENVIRONMENT).stdout
+    assert out.read_bytes() == b"before\n" + piped and len(piped) > 1000
+    assert link.is_symlink()
 
 
 def test_a_full_disk(path: Path, tmp_path: Path) -> None:

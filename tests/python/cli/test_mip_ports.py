@@ -13,16 +13,17 @@ import socket
 import subprocess
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
 from typing import Any
 
 import pytest
 from mip_protocol import Parser, base, mip_3dm, registry, types
-from mip_protocol.cli import typed
+from mip_protocol.cli import ports, typed
 from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
-from program import DEVICE, ENVIRONMENT, PATIENCE, command, mip, run, running, simulated
+from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, run, running, simulated
 
 
 @pytest.fixture(scope="module")
@@ -411,3 +412,55 @@ def test_a_terminal_is_as_before_if_the_port_cannot_be_opened() -> None:
             break
     os.close(main)
     assert done.returncode == 1 and shown.count(b"\x1b[?1049h") == shown.count(b"\x1b[?1049l")
+
+
+@pytest.mark.parametrize("term", ["xterm", "dumb"])
+def test_progress_only_where_a_line_can_be_replaced(term: str, place: str, tmp_path: Path) -> None:
+    main, side = pty.openpty()
+    done = subprocess.run(
+        command("record", place, "-o", tmp_path / "log", "--duration", "1.2"),
+        stdout=subprocess.DEVNULL, stderr=side, env={**ENVIRONMENT, "TERM": term},
+    )  # fmt: skip
+    shown = os.read(main, 65536) if select.select([main], [], [], PATIENCE)[0] else b""
+    os.close(side)
+    os.close(main)
+    assert done.returncode == 0 and shown.endswith(b"bytes skipped\r\n")
+    assert (b"\x1b" in shown) == (term == "xterm")
+
+
+def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A serial port takes its time, above all with `--baud auto`."""
+    now = 0.0
+
+    class Device:
+        closed = False
+
+    @contextmanager
+    def opened(name: str, options: Any, **more: Any) -> Iterator[Any]:
+        nonlocal now
+        now += 10
+        more["on_bytes"](b"first")
+        yield Device
+
+    monkeypatch.setattr(ports, "opened", opened)
+    monkeypatch.setattr(time, "monotonic", lambda: now)
+    found = ports.received("port", None, 1.0)  # type: ignore[arg-type]
+    assert next(found) == b"first"
+    now += 2
+    assert list(found) == []
+
+
+def test_files_and_ports_are_not_confused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "log.bin").write_bytes(log(0.1))
+    for words in (["send", "log.bin", "base.ping"], ["record", "log.bin", "-o", "other.bin"]):
+        assert run(capsys, *words) == (1, "", f"mip {words[0]}: log.bin is a file, not a port\n")
+    for port in ("localhost:1", "/dev/zero", "COM3", "socket://host:1"):
+        for name, *words in (["info", port], ["export", port, "-o", "x.csv"], ["cut", port, "-o", "x.bin"]):
+            error = f"mip {name}: {port} is a port, not a log; `mip record` writes a log of what it sends\n"
+            assert run(capsys, name, *words) == (1, "", error)
+    error = "mip send: /dev/ttyNONE cannot be opened: No such file or directory\n"
+    assert run(capsys, "send", "/dev/ttyNONE", "base.ping") == (1, "", error)
+    assert [p.name for p in tmp_path.iterdir()] == ["log.bin"]

@@ -31,12 +31,42 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
     for words in (["dumb"], ["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
         code, out, error = run(capsys, *words)
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
-    for words, required in (("send", "PORT, COMMAND"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
+    for words, required in (("send", "PORT"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
         assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
+    assert run(capsys, "send", "PORT") == (2, "", "mip send: which command? `mip fields` lists them\n")
     code, out, error = run(capsys, "completion", "tcsh")
-    assert code == 2 and "words" not in error.lower() and "WORD" not in run(capsys, "completion", "--help")[1]
+    assert code == 2 and error.endswith("argument SHELL: 'tcsh' is not one of bash, zsh, fish\n")
+    assert "WORD" not in run(capsys, "completion", "--help")[1]
     _, _, error = run(capsys, "dump", "x", "--fast")
     assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
+
+
+@pytest.mark.parametrize(
+    ("words", "same"),
+    [
+        ("export LOG --format csv -o - sensor.scaled_accel", "export LOG sensor.scaled_accel -o - --format csv"),
+        (
+            "export LOG sensor --only 0x82 -o - --time none filter_data",
+            "export LOG sensor filter_data 0x82 -o - --time none",
+        ),
+        ("send 3dm.accel_bias --hex write -1,0,0", "send --hex 3dm.accel_bias write -1,0,0"),
+        ("dump LOG --count 3 LOG", "dump LOG LOG --count 3"),
+        ("dump --count 1 -- LOG", "dump LOG --count 1"),
+        ("bandwidth sensor.scaled_accel@9 --baud 9600 gnss_1.llh_position@1", None),
+    ],
+)
+def test_options_may_stand_between_the_words(
+    words: str, same: str | None, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("LOG").write_bytes(log(0.3))
+    code, out, error = run(capsys, *words.split())
+    assert (code, error) == (0, "") and out
+    if same is not None:
+        assert out.splitlines() == run(capsys, *same.split())[1].splitlines()
+    name, *others = words.split()
+    code, _, error = run(capsys, name, "--fast", *others)
+    assert code == 2 and error.endswith("--fast is not recognized; see --help\n")
 
 
 #: What is wrong with the command line itself, not with files, and not with what was found.
@@ -66,7 +96,7 @@ MISUSE = (
         ),
         (
             ["export", "LOG", "gnss_2", "-o", "OUT"],
-            "export: LOG has none of these fields; `mip info` lists those it has",
+            "export: LOG has none of these fields; `mip info` lists the fields that it has",
         ),
         (["export", "LOG", "-o", "-", "--split"], "export: --split writes several files; name one with -o, "),
         (

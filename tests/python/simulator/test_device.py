@@ -179,6 +179,16 @@ def test_saved_settings_survive_in_a_file(tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["settings.json"]
 
 
+def test_a_file_of_settings_behind_a_link_stays_there(tmp_path: Path) -> None:
+    (tmp_path / "kept").mkdir()
+    link, path = tmp_path / "settings.json", tmp_path / "kept/real.json"
+    link.symlink_to("kept/real.json")
+    host = Host(VirtualDevice(CV7, storage=link))
+    host.ok(filter.AutoAngularZupt.save())
+    assert link.is_symlink() and path.read_text().startswith("{")
+    assert [p.name for p in path.parent.iterdir()] == ["real.json"]
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -11,7 +11,7 @@ from mip_protocol.simulator import VirtualDevice
 from simulator_host import Host
 
 CV7 = "3dm-cv7-gnss-ins"
-INVALID = 3
+INVALID, FAILED = 3, 4
 EDGE, HIGH = types.EventTriggerGpioMode.EDGE, types.EventTriggerGpioMode.WHILE_HIGH
 MODES = types.EventTriggerMode
 PINS = types.EventActionGpioMode
@@ -256,3 +256,47 @@ def test_a_square_wave_at_a_pin(host: Host) -> None:
     setup(host, gpio(1, 1), on_pin(1, 1, HIGH), sending(1, 1, 0, 0xD5), enable(1))
     host.device.wave(1, 25.0)
     assert sent(host, 1.0) == 25
+
+
+def test_only_so_many_triggers_and_actions_of_each_type(host: Host) -> None:
+    """As the device says in its answer to the question what it supports."""
+
+    def most(query: mip_3dm.EventSupportQuery) -> dict[int, int]:
+        return {entry.type: entry.count for entry in host.ok(mip_3dm.GetEventSupport(query)).entries}
+
+    triggers = (
+        lambda i: on_pin(i, 1, HIGH),
+        lambda i: inside(i, (0x80, 4, 1), 0, 1),
+        lambda i: combined(i, 2, 1, 0, 0, 0),
+    )
+    actions = (lambda i: switching(i, 1, 1, PINS.TOGGLE), lambda i: sending(i, 1, 0, 4))
+    for query, kinds, none in (
+        (
+            mip_3dm.EventSupportQuery.TRIGGER_TYPES,
+            triggers,
+            mip_3dm.EventTriggerConfig.write(1, types.EventTriggerType.NONE, None),
+        ),
+        (
+            mip_3dm.EventSupportQuery.ACTION_TYPES,
+            actions,
+            mip_3dm.EventActionConfig.write(1, 0, types.EventActionType.NONE, None),
+        ),
+    ):
+        supported = most(query)
+        assert list(supported) == list(range(1, len(kinds) + 1))
+        for number, make in enumerate(kinds, 1):
+            host.ok(mip_3dm.DeviceSettings.default())
+            count = supported[number]
+            for instance in range(1, count + 1):
+                host.ok(make(instance))
+            assert host.refused(make(count + 1)) == FAILED
+            host.ok(make(count))  # again
+            host.ok(kinds[number % len(kinds)](count + 1))  # of another type
+            assert host.refused(make(count + 1)) == FAILED
+            host.ok(none)
+            host.ok(make(count + 1))  # which is free now
+
+
+def test_only_so_many_fields_in_the_packet_of_an_action(host: Host) -> None:
+    host.ok(sending(1, 1, 0, *[4] * 12))
+    assert host.refused(sending(1, 1, 0, *[4] * 13)) == INVALID

@@ -20,6 +20,7 @@ from typing import Any
 import pytest
 from mip_protocol import Parser, __main__, base, devices, mip_3dm, registry, types
 from mip_protocol.devices import Device
+from mip_protocol.errors import Failure
 from mip_protocol.field import Command, Data, Response
 from mip_protocol.simulator.channel import CAPACITY, Channel
 from mip_protocol.simulator.command import start_time
@@ -254,6 +255,20 @@ def test_too_many_clients_are_turned_away(monkeypatch: pytest.MonkeyPatch) -> No
         assert "is turned away: 1 clients are connected" in server.complaints[0]
 
 
+def test_a_link_that_a_killed_simulator_has_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The system may give the same terminal again, to which the link leads then."""
+    files = os.openpty()
+    path = tmp_path / "mip"
+    path.symlink_to(os.ttyname(files[1]))
+    with pytest.raises(Failure, match="perhaps of another simulator"):
+        Pty(str(path))
+    monkeypatch.setattr(os, "openpty", lambda: files)
+    terminal = Pty(str(path))
+    assert os.readlink(path) == terminal.name
+    terminal.close()
+    assert not path.is_symlink()
+
+
 # --------------------------------------------------------------------------- slow clients
 
 
@@ -270,7 +285,18 @@ def test_a_client_that_never_reads(tmp_path: Path) -> None:
                 client.wait(lambda client=client: len(client.packets) > 100)
                 assert client.parser.skipped == 0 and reader.parser.skipped == 0
             assert lazy
-    assert any("reads too slowly" in text and "packets were dropped" in text for text in server.complaints)
+    assert any(re.search(r": \d+ packets dropped, as no client read them in time$", x) for x in server.complaints)
+
+
+def test_a_terminal_that_nobody_has_open() -> None:
+    """Old data stays in it, and nobody is said to be slow."""
+    with serving(VirtualDevice(DEVICE), pty_at(""), speed=50) as server:
+        with Client(server.places[0]) as client:
+            client.send(stream(1000))
+            client.wait(lambda: client.packets)
+        until(lambda: any(c.dropped > 1 for c in server._channels))
+    (said,) = server.complaints
+    assert re.fullmatch(rf"{server.places[0]}: \d+ packets dropped, as no client read them in time", said)
 
 
 class Peer:
@@ -520,6 +546,19 @@ def test_the_program_ends_cleanly(number: int, tmp_path: Path) -> None:
         process.send_signal(number)
         assert process.communicate(timeout=PATIENCE) == ("", "") and process.returncode == 0
     assert not path.is_symlink() and not list(tmp_path.glob("*.part"))
+
+
+def test_the_program_goes_on_when_hang_ups_are_ignored() -> None:
+    """As with nohup."""
+    ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)}
+    with program("simulate", DEVICE, "--tcp", "0", **ignoring) as process:
+        assert process.stdout is not None
+        place = process.stdout.readline().strip()
+        process.send_signal(signal.SIGHUP)
+        with Client(place) as client:
+            client.ask(PING)
+        process.send_signal(signal.SIGTERM)
+        assert process.communicate(timeout=PATIENCE) == ("", "") and process.returncode == 0
 
 
 def test_faults_of_the_program(tmp_path: Path) -> None:

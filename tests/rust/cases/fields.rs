@@ -406,6 +406,31 @@ fn the_registry_finds_every_field() {
 }
 
 #[test]
+fn the_registry_describes_values() {
+    let of = |name| registry::FieldInfo::by_name(name).unwrap().parameters();
+    let [accel, flags] = of("measurements.accel") else { panic!() };
+    assert_eq!(
+        (accel.name, accel.elements, accel.units),
+        ("scaled_accel", &["x", "y", "z"][..], &["g"][..])
+    );
+    assert_eq!((accel.frame, accel.members), (Some("sensor"), &[][..]));
+    assert_eq!(
+        (flags.name, flags.elements, flags.units, flags.frame),
+        ("valid_flags", &[][..], &[][..], None)
+    );
+    // Of structures and unions, what is inside; nothing that follows from the rest.
+    let names = |all: &[registry::ParameterInfo]| all.iter().map(|p| p.name).collect::<Vec<_>>();
+    assert_eq!(
+        names(of("measurements.gust")),
+        ["station", "place", "height", "speed", "valid_flags"]
+    );
+    assert_eq!(names(of("measurements.gust")[1].members), ["x", "y"]);
+    let cases = of("tools.choice").last().unwrap().members;
+    assert_eq!((cases[0].name, cases[0].members[0].members[0].units), ("circle", &["m"][..]));
+    assert!(of("tools.ping").is_empty());
+}
+
+#[test]
 fn numbers_are_read_by_what_they_depend_on() {
     let pin = tools::Pin::write(tools::Drive::SERIAL, 0x21);
     assert_eq!(pin.use_as_serial_use(), Some(tools::SerialUse::TRANSMIT));

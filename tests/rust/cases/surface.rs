@@ -60,13 +60,16 @@ fn a_list_that_overflowed_is_never_encoded() {
     assert!(five.push(6).is_err());
     let error = List::<u16, 4>::from_slice(&[0; 7]).unwrap_err();
     assert_eq!((error.need, error.got), (7, 4));
-    assert_eq!(error.to_string(), "there are 7 items, the list can hold 4");
+    assert_eq!(error.to_string(), "7 items were given, the list can hold 4");
     assert_eq!((five.pop(), five.overflowed(), five.as_slice()), (Some(4), true, &[1, 2, 3][..]));
     assert_eq!((five.pop(), five.pop(), five.as_mut_slice()), (Some(3), Some(2), &mut [1][..]));
     assert!(five != [1] && five.push(6).is_err());
     five.extend([6]);
     assert_eq!((five.clone().into_iter().count(), five.pop(), five.pop()), (1, Some(1), None));
     assert!(five.overflowed() && five.is_empty());
+    // Now it holds none, but it was given five.
+    let error = five.push(6).unwrap_err();
+    assert_eq!(error.to_string(), "5 items were given, the list can hold 4");
     five.clear();
     assert!(!five.overflowed() && five.push(7).is_ok() && five == [7]);
     let mut items = tools::List::write([7; 300].as_slice());
@@ -334,6 +337,7 @@ impl Visitor for Look {
         let value = T::decode(field.data).ok()?;
         let length = value.to_vec().ok()?.len();
         assert_eq!(T::INFO, *value.into_any().info());
+        assert_eq!(T::INFO.parameters(), T::PARAMETERS);
         Some((T::INFO.title, length))
     }
 

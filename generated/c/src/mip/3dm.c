@@ -1148,7 +1148,7 @@ const struct mip_codec mip_3dm_device_settings_codec = {
     0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), program_device_settings};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
-                                                            NULL, 1000};
+                                                            NULL, 2000};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(1, 3),

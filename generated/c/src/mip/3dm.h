@@ -255,7 +255,7 @@ enum mip_3dm_device_status_selector {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
 /**
- * A data stream of a 5-series device.
+ * A data stream of a device of the generations 3 to 5.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  */
@@ -1206,6 +1206,9 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
  *
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
+ * The 3DM-CV7-GNSS/INS refuses the format if a sentence would come more than 10 times per second,
+ * or, from a GNSS set, more than twice.
+ *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
@@ -1623,7 +1626,7 @@ mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t d
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format_response {
-    /** Data descriptor set; 0 means all of them (save, load, default). */
+    /** Data descriptor set. */
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
@@ -1735,8 +1738,8 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * 5-series devices identify the stream by a number (enum mip_3dm_legacy_data_stream), other devices
- * by its descriptor set.
+ * Devices of the generations 3 to 5 identify the stream by a number (enum
+ * mip_3dm_legacy_data_stream), other devices by its descriptor set.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1753,9 +1756,10 @@ struct mip_3dm_data_stream_control {
      * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15,
      * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
      * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35,
-     * 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
-     * mip_3dm_legacy_data_stream.
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45,
+     * 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On
+     * the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+     * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
     /** Whether the stream is sent. Default: true. Required for write. */
@@ -1840,8 +1844,10 @@ struct mip_3dm_data_stream_control_response {
      * Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
      * 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
      * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     * 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream.
+     * 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
+     * values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+     * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
@@ -2518,9 +2524,9 @@ struct mip_3dm_pps_source_control {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Source of the pulse. A value of enum mip_3dm_pps_source. Default:
-     * MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only
-     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+     * Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+     * 3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+     * MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
      */
     uint8_t source;
 };
@@ -2592,10 +2598,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control_response {
-    /**
-     * Source of the pulse. A value of enum mip_3dm_pps_source. Default:
-     * MIP_3DM_PPS_SOURCE_RECEIVER_1.
-     */
+    /** Source of the pulse. A value of enum mip_3dm_pps_source. */
     uint8_t source;
 };
 
@@ -2862,10 +2865,11 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
-    /** Trigger instance; 0 means all configured triggers, except for read. */
+    /** Trigger instance. */
     uint8_t instance;
     /**
-     * New mode. A value of enum mip_event_trigger_mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED.
+     * Mode of the trigger. A value of enum mip_event_trigger_mode. Default:
+     * MIP_EVENT_TRIGGER_MODE_DISABLED.
      */
     uint8_t mode;
 };
@@ -3239,7 +3243,7 @@ union mip_3dm_event_trigger_config_response_parameters {
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config_response {
-    /** Trigger instance; 0 means all (save, load, default). */
+    /** Trigger instance. */
     uint8_t instance;
     /**
      * Kind of trigger. A value of enum mip_event_trigger_type. Default:
@@ -3404,7 +3408,7 @@ union mip_3dm_event_action_config_response_parameters {
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
 struct mip_3dm_event_action_config_response {
-    /** Action instance; 0 means all (save, load, default). */
+    /** Action instance. */
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
@@ -3443,11 +3447,13 @@ static inline mip_error mip_3dm_event_action_config_response_encode(
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: save, load and default. The device may take 1 s to answer. Supported by
+ * Functions: save, load and default. The device may take 2 s to answer. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
  * A save may disturb the data output for a short time.
+ *
+ * A save may take up to 1 s. A host should wait longer, because the answer must come through, too.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -3548,7 +3554,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
  * gravity of the filter.
  *
- * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
+ * start anew.
  *
  * On some older devices the setting is the inverse rotation.
  *
@@ -3719,7 +3726,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
- * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
+ * start anew.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -3886,7 +3894,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
  *
- * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
+ * start anew.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -5078,8 +5087,9 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  *
  * Not every pin has every feature.
  *
- * For an output, configure the function first, then the pin; for an input, configure the pin first,
- * then the function.
+ * For an output with another feature than gpio, set up what drives it first, then the pin;
+ * meanwhile, its level would be undefined. For an input, configure the pin first, then what uses
+ * it.
  *
  * A configuration that only one pin can have moves to the last pin configured; the earlier pin is
  * reset.
@@ -5192,7 +5202,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config_response {
-    /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
+    /** GPIO pin, counted from 1. */
     uint8_t pin;
     /** Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED. */
     uint8_t feature;
@@ -6343,15 +6353,13 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
-    /** Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set. */
+    /** Field descriptor. Refers to fields of descriptor_set. */
     uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;
     /** True uses `frequency`; false uses half the rate of the field in the message format. */
     mip_bool manual;
-    /**
-     * Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz.
-     */
+    /** Cutoff in use. Unit: Hz. */
     float frequency;
 };
 

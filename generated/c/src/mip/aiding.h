@@ -115,7 +115,8 @@ union mip_aiding_frame_config_rotation {
  *
  * `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
  *
- * The rotation does not matter for GNSS positions and velocities; set it to zero.
+ * For GNSS positions and velocities the rotation does not matter. Send one that does not turn:
+ * Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
  *
  * A read selects the format of the answer.
  *
@@ -578,9 +579,9 @@ struct mip_aiding_llh_position {
      */
     double height;
     /**
-     * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-     * greater than 0. Each element has its own valid flag. x: MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
-     * valid_flags, y: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z:
+     * Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned. Range: greater
+     * than 0. Each element has its own valid flag. north: MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+     * valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, down:
      * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
      */
     float uncertainty[3];
@@ -916,15 +917,16 @@ struct mip_aiding_ned_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
-     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid
+     * flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
-     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-     * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Range:
+     * greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+     * valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */

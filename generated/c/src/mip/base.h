@@ -779,12 +779,9 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed_response {
-    /**
-     * Port id of the device; 0 means all ports, and is for save, load and default only. On the
-     * 3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
-     */
+    /** Port id of the device. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. */
     uint8_t port;
-    /** Baud rate; one that the port supports. Unit: Bd. */
+    /** Baud rate of the port. Unit: Bd. */
     uint32_t baud;
 };
 
@@ -853,7 +850,7 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  *
  * Send it within 250 ms after the rising edge of the PPS.
  *
- * The 3DM-GX5-15 needs it once per second, the 3DM-CV7-GNSS/INS at least once.
+ * Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once.
  *
  * Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS receiver is
  * the PPS source.

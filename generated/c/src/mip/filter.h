@@ -22,9 +22,9 @@ extern "C" {
 #define MIP_FILTER_SET 0x0D
 
 /**
- * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
- * descriptions follow from the names. Uncertain: mip_filter_data_status reports a mode too, but is
- * known to have the values 1 to 3 only.
+ * Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK names
+ * the modes only; the descriptions follow from the names. Uncertain: mip_filter_data_status reports
+ * a mode too, but is known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -196,7 +196,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
 /** Magnetic field that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
-/** Velocity in the vehicle that the user sends. */
+/** Velocity in the body (vehicle) frame that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
@@ -567,7 +567,7 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
- * Kind of vehicle that the filter is tuned for.
+ * Adapts the filter to the motion that it has to expect.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known only from the
@@ -1056,8 +1056,8 @@ struct mip_filter_antenna_offset {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10. Required for write.
+     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
@@ -1129,8 +1129,8 @@ mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
  */
 struct mip_filter_antenna_offset_response {
     /**
-     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10.
+     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
@@ -1359,6 +1359,8 @@ struct mip_filter_gnss_source {
     uint8_t function;
     /**
      * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
+     * On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+     * MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
      */
     uint8_t source;
 };
@@ -1484,7 +1486,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
 /**
  * External GNSS update: command (0x0D,0x16).
  *
- * Gives the filter one position and velocity of a GNSS receiver that the user provides.
+ * One measurement of position and velocity by a GNSS receiver of the user.
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -1505,11 +1507,11 @@ struct mip_filter_external_gnss_update {
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
-    /** Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity[3];
-    /** Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned. */
+    /** Standard deviation of the position. Elements: north, east, down. Unit: m. Frame: ned. */
     float position_uncertainty[3];
-    /** Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    /** Standard deviation of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned. */
     float velocity_uncertainty[3];
 };
 
@@ -3143,7 +3145,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation_response {
-    /** Axes to tare; 0 resets all axes. */
+    /** Axes that are tared. */
     mip_filter_tare_axes axes;
 };
 
@@ -3295,7 +3297,10 @@ struct mip_filter_reference_position {
     double latitude;
     /** Longitude. Unit: deg. Frame: llh. Required for write. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. Required for write. */
+    /**
+     * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
+     * from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     */
     double altitude;
 };
 
@@ -3375,7 +3380,10 @@ struct mip_filter_reference_position_response {
     double latitude;
     /** Longitude. Unit: deg. Frame: llh. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. */
+    /**
+     * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
+     * manual does not say; its glossary counts altitudes from sea level.
+     */
     double altitude;
 };
 
@@ -3436,7 +3444,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
- * Makes the automatic magnetometer calibration part of the fixed one.
+ * Moves what the automatic magnetometer calibration has found into the fixed calibration.
  *
  * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK.
@@ -4132,7 +4140,10 @@ struct mip_filter_enable_measurements {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Measurements to use. Required for write. */
+    /**
+     * Measurements to use. Required for write. On the 3DM-GX5-15: only
+     * MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+     */
     mip_filter_measurement_flags control;
 };
 
@@ -4429,7 +4440,11 @@ struct mip_filter_magnetic_declination_source {
      * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
      */
     uint8_t source;
-    /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
+    /**
+     * Declination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The manual says that it is required
+     * only if it is, but gives one length.
+     */
     float declination;
 };
 
@@ -4509,7 +4524,11 @@ mip_filter_magnetic_declination_source_default(
 struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
-    /** Declination; used only if `source` is manual. Unit: rad. */
+    /**
+     * Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+     * out if `source` is not manual. The manual says that it is required only if it is, but gives
+     * one length.
+     */
     float declination;
 };
 
@@ -6279,7 +6298,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /** The source; `all` is for save, load and default. A value of mip_filter_aiding_source. */
+    /** The source. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
@@ -6341,7 +6360,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
- * Assumptions about the motion that the filter uses as measurements.
+ * What the filter may take for granted about the motion, in place of measurements.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_kinematic_constraint_response. Not listed in any device profile. Known only from the
@@ -6562,13 +6581,15 @@ struct mip_filter_initialization_config {
     /**
      * Initial position that the user provides. Elements: x, y, z. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+     * height; unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /**
@@ -6678,13 +6699,15 @@ struct mip_filter_initialization_config_response {
     /**
      * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     float initial_position[3];
     /**
      * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
+     * ned.
      */
     float initial_velocity[3];
     /** Frame of the initial position and velocity. A value of enum mip_filter_reference_frame. */
@@ -7108,7 +7131,8 @@ struct mip_filter_relative_position_config {
     /**
      * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };
@@ -7193,7 +7217,8 @@ struct mip_filter_relative_position_config_response {
     /**
      * Reference point. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
+     * llh.
      */
     double reference_coordinates[3];
 };
@@ -7358,7 +7383,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
-    /** Point to move; it must be 1. A value of enum mip_filter_reference_point. */
+    /** The point. A value of enum mip_filter_reference_point. */
     uint8_t reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
@@ -7998,8 +8023,8 @@ struct mip_filter_gnss_antenna_calibration {
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
-     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+     * Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. Required
+     * for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
      */
     float max_offset;
 };
@@ -8077,10 +8102,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
 struct mip_filter_gnss_antenna_calibration_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /**
-     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1.
-     */
+    /** Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. */
     float max_offset;
 };
 

@@ -2712,7 +2712,7 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
 /**
  * Density altitude: data (0x82,0x22).
  *
- * Altitude at which the standard atmosphere has the density of the air around the device.
+ * The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
  * gives the name only; the description is the usual meaning of the term.
@@ -4002,7 +4002,7 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
  */
 struct mip_filter_data_ned_relative_position {
     /**
-     * Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if
+     * Relative position. Elements: north, east, down. Unit: m. Frame: ned. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     double relative_position[3];
@@ -4143,7 +4143,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
- * How the filter uses the attitude that two GNSS antennas give.
+ * State of the attitude aiding by two GNSS antennas.
  *
  * Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.

@@ -328,7 +328,7 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
- * Whether the device talks to the RTK dongle that is connected to it.
+ * Switches the communication with a connected RTK dongle on or off.
  *
  * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
  * by mip_gnss_rtk_dongle_config_response. Not listed in any device profile. Known only from the

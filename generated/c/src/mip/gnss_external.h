@@ -221,7 +221,7 @@ static inline mip_error mip_gnss_external_ecef_position_encode_inline(
  */
 struct mip_gnss_external_ned_velocity {
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+     * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
      * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
@@ -3386,7 +3386,7 @@ struct mip_gnss_external_galileo_iono_correction {
      */
     double alpha[3];
     /**
-     * Storm flags of five regions, in bits 1 to 5. Valid if
+     * Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
      * Whether the bits count from 0 or from 1, and which region each represents.
      */

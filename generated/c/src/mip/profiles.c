@@ -1064,7 +1064,8 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL "
      "and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a "
      "UART is configured to receive, on that one only. An epoch is processed when a sentence with "
-     "another time arrives.",
+     "another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that "
+     "it refers to is not known.",
      NULL, 0, 0},
     {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
      cv7_gnss_ins_rtcm_input_cells, 9, 2},

@@ -116,6 +116,7 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ar;
  * and pressure sensor.
  *
  * Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+ * Uncertain: What the bug of NMEA input is that the manual warns of.
  *
  * - mip-sdk-4: Device models
  */
@@ -396,10 +397,11 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
  * Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
  * the manual are known, so it has more commands and data. This profile is incomplete: Only four
- * fields of the filter data are listed; the manual has 27 or more. Uncertain: The base rates are
- * those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
- * example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives
- * the length of mip_3dm_device_status_basic_stateless_response and offsets of
+ * fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
+ * mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that the
+ * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the
+ * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives the length of
+ * mip_3dm_device_status_basic_stateless_response and offsets of
  * mip_3dm_device_status_diagnostic_gx4_response; MSCL differs.
  *
  * - mip-sdk-4: Device models

@@ -1060,7 +1060,7 @@ static inline mip_error mip_rtk_service_status_response_encode_inline(
 /**
  * Erase storage: command (0x0F,0x20).
  *
- * Erases a storage medium down to its raw state.
+ * Returns a storage medium to its raw state; everything on it is erased.
  *
  * For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known only
  * from the MicroStrain MIP SDK.
@@ -1138,7 +1138,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
  *
  * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * Accepted in calibration mode and production test mode only.
+ * Only in calibration mode or production test mode; otherwise it is refused.
  *
  * - mip-sdk-4: Led Control (0x0F,0x21)
  */

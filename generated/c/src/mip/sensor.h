@@ -602,7 +602,8 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
 struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.
+     * m31, m32, m33. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor
+     * frame.
      */
     float m[9];
 };
@@ -674,8 +675,8 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
  */
 struct mip_sensor_comp_quaternion {
     /**
-     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On the
-     * 3DM-GX5-15: Between NED and the sensor frame.
+     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
+     * ned. On the 3DM-GX5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
@@ -815,11 +816,11 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
 struct mip_sensor_comp_euler_angles {
-    /** Roll angle. Unit: rad. */
+    /** Roll angle. Unit: rad. Frame: ned. */
     float roll;
-    /** Pitch angle. Unit: rad. */
+    /** Pitch angle. Unit: rad. Frame: ned. */
     float pitch;
-    /** Yaw angle. Unit: rad. */
+    /** Yaw angle. Unit: rad. Frame: ned. */
     float yaw;
 };
 
@@ -1080,7 +1081,8 @@ static inline mip_error mip_sensor_pps_timestamp_encode_inline(
  *
  * Supported by 3DM-GX5-15.
  *
- * Without magnetic disturbance it equals the measured magnetic field.
+ * Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
+ * sensor frame, too, which a sensor-to-vehicle transformation changes.
  *
  * A lasting disturbance is not compensated.
  *
@@ -1150,7 +1152,8 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
- * At rest it equals the measured acceleration.
+ * At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which a
+ * sensor-to-vehicle transformation changes.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  */

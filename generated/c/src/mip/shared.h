@@ -110,7 +110,7 @@ static inline mip_error mip_shared_event_source_encode_inline(
  * to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
  * other rates it would take longer or shorter.
  *
- * One tick is one period of the base rate.
+ * A tick takes as long as one period at the base rate of the device.
  *
  * - mip-sdk-4: Ticks (0xFF,0xD1)
  */
@@ -170,12 +170,12 @@ static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_t
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
- * Base periods since this field was last sent.
+ * Base periods that have passed from the previous field of this kind to this one.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
  * each set and each event instance counts separately, as with mip_shared_delta_time.
  *
- * One tick is one period of the base rate.
+ * A tick takes as long as one period at the base rate of the device.
  *
  * - mip-sdk-4: Delta Ticks (0xFF,0xD2)
  */

@@ -636,7 +636,7 @@ MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: ThresholdParams
  */
 enum mip_event_threshold_type {
-    /** The value lies between two thresholds. */
+    /** The value is in a window between two thresholds, or outside of it. */
     MIP_EVENT_THRESHOLD_TYPE_WINDOW = 1,
     /** The remainder of the value divided by an interval is at most a threshold. */
     MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
@@ -686,8 +686,9 @@ struct mip_event_threshold_window {
     /** Lower threshold, in the unit of the watched value. */
     double low_threshold;
     /**
-     * Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
-     * is active outside the window.
+     * Upper threshold, in the unit of the watched value. The trigger is active from the lower
+     * threshold to the upper one, both included. If the upper one is below the lower one, it is
+     * active below the upper and above the lower one, both excluded.
      */
     double high_threshold;
 };
@@ -708,7 +709,10 @@ struct mip_event_threshold_interval {
 
 /** The member of mip_event_trigger_threshold that `type` selects. */
 union mip_event_trigger_threshold_thresholds {
-    /** If type is MIP_EVENT_THRESHOLD_TYPE_WINDOW. The value lies between two thresholds. */
+    /**
+     * If type is MIP_EVENT_THRESHOLD_TYPE_WINDOW. The value is in a window between two thresholds,
+     * or outside of it.
+     */
     struct mip_event_threshold_window window;
     /**
      * If type is MIP_EVENT_THRESHOLD_TYPE_INTERVAL. The remainder of the value divided by an

@@ -135,7 +135,7 @@ TYPES: dict[str, Info] = {
         "base.gps_time_update", type=base.GpsTimeUpdate,
         title="GPS time update",
         description="Sets the week number or the time of week of the external (GPS) time.",
-        facts=("Functions: `write`, `read` and `apply`.", "Answered by `base.GpsTimeUpdateWeekNumberResponse` or `base.GpsTimeUpdateTowResponse`.", "Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "On the 3DM-CV7-GNSS/INS: `write` only.", "Send it once for the time of week and once for the week number after the PPS is locked.", "The PPS supplies the fraction of the second; send the whole second that began at its last edge.", "Send it within 250 ms after the rising edge of the PPS.", "The 3DM-GX5-15 needs it once per second, the 3DM-CV7-GNSS/INS at least once.", "Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS receiver is the PPS source."),
+        facts=("Functions: `write`, `read` and `apply`.", "Answered by `base.GpsTimeUpdateWeekNumberResponse` or `base.GpsTimeUpdateTowResponse`.", "Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "On the 3DM-CV7-GNSS/INS: `write` only.", "Send it once for the time of week and once for the week number after the PPS is locked.", "The PPS supplies the fraction of the second; send the whole second that began at its last edge.", "Send it within 250 ms after the rising edge of the PPS.", "Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once.", "Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS receiver is the PPS source."),
         sources=("3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)", "3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)"),
         functions=("write", "read", "apply"),
         devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35"),
@@ -243,8 +243,8 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("port", "port", "scalar", description="Port id of the device; 0 means all ports, and is for save, load and default only.", facts=("On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.",), scalar="u8", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.", {"type": types.CommInterface}),)),
-            Parameter("baud", "baud", "scalar", description="Baud rate; one that the port supports.", facts=("Unit: Bd.",), scalar="u32", units=("Bd",)),
+            Parameter("port", "port", "scalar", description="Port id of the device.", facts=("On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.",), scalar="u8", variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: values of `types.CommInterface`.", {"type": types.CommInterface}),)),
+            Parameter("baud", "baud", "scalar", description="Baud rate of the port.", facts=("Unit: Bd.",), scalar="u32", units=("Bd",)),
         ),
     ),
 }

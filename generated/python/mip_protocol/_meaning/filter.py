@@ -12,7 +12,7 @@ SET = SetInfo("filter", number=0x0D, title="Filter commands", description="Comma
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
     "DynamicsMode": EnumInfo(
-        "filter.dynamics_mode", type=filter.DynamicsMode, description="Kind of vehicle that the filter is tuned for.", facts=("Uncertain: The SDK names the modes only; the descriptions follow from the names.", "Uncertain: `filter_data.Status` reports a mode too, but is known to have the values 1 to 3 only."), sources=("mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)",),
+        "filter.dynamics_mode", type=filter.DynamicsMode, description="Motion that the filter expects, by the way in which the device travels.", facts=("Uncertain: The SDK names the modes only; the descriptions follow from the names.", "Uncertain: `filter_data.Status` reports a mode too, but is known to have the values 1 to 3 only."), sources=("mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)",),
         values=(
             ValueInfo("portable", value=1, description="Carried by hand."),
             ValueInfo("automotive", value=2, description="Ground vehicle."),
@@ -117,7 +117,7 @@ TYPES: dict[str, Info] = {
             ValueInfo("external_heading", value=5, description="Heading that the user sends."),
             ValueInfo("external_altimeter", value=6, description="Pressure altitude that the user sends."),
             ValueInfo("external_mag", value=7, description="Magnetic field that the user sends."),
-            ValueInfo("body_frame_velocity", value=8, description="Velocity in the vehicle that the user sends."),
+            ValueInfo("body_frame_velocity", value=8, description="Velocity in the body (vehicle) frame that the user sends."),
             ValueInfo("all", value=65535, description="All sources, for save, load and default."),
         ),
     ),
@@ -239,7 +239,7 @@ TYPES: dict[str, Info] = {
     "VehicleDynamicsMode": FieldInfo(
         "filter.vehicle_dynamics_mode", type=filter.VehicleDynamicsMode,
         title="Vehicle dynamics mode",
-        description="Kind of vehicle that the filter is tuned for.",
+        description="Adapts the filter to the motion that it has to expect.",
         facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `filter.VehicleDynamicsModeResponse`.", "Supported by 3DM-GX5-45.", "May be supported by 3DM-GX3-45.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)",),
         functions=("write", "read", "save", "load", "default"),
@@ -288,7 +288,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("offset", "offset", "array", description="From the sensor origin to the centre of the antenna.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Range: magnitude at most 10.", "Required for `write`."), scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle", required=("write",)),
+            Parameter("offset", "offset", "array", description="From the sensor origin to the phase centre of the antenna.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Range: magnitude at most 10.", "Required for `write`.", "On the 3DM-GX5-45: frame sensor."), scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle", required=("write",), variants=(Variant("device", ("3dm-gx5-45",), "On the 3DM-GX5-45: frame sensor.", {"frame": "sensor"}),)),
         ),
     ),
     "EstimationControl": FieldInfo(
@@ -315,13 +315,13 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("source", "source", "scalar", description="Source of the GNSS data.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=filter.GnssAidingSource),
+            Parameter("source", "source", "scalar", description="Source of the GNSS data.", facts=("Required for `write`.", "On the 3DM-GX5-45: only `filter.GnssAidingSource.ALL_INTERNAL` and `filter.GnssAidingSource.EXTERNAL`."), scalar="u8", required=("write",), type=filter.GnssAidingSource, variants=(Variant("device", ("3dm-gx5-45",), "On the 3DM-GX5-45: only `filter.GnssAidingSource.ALL_INTERNAL` and `filter.GnssAidingSource.EXTERNAL`.", {"only": ("all_internal", "external")}),)),
         ),
     ),
     "ExternalGnssUpdate": FieldInfo(
         "filter.external_gnss_update", type=filter.ExternalGnssUpdate,
         title="External GNSS update",
-        description="Gives the filter one position and velocity of a GNSS receiver that the user provides.",
+        description="One measurement of position and velocity by a GNSS receiver of the user.",
         facts=("Supported by 3DM-GX5-45.", "Known only from the MicroStrain MIP SDK.", "Refused unless `filter.GnssSource` selects the external source.", "The highest rate depends on the device."),
         sources=("mip-sdk-4: External Gnss Update (0x0D,0x16)",),
         devices=("3dm-gx5-45",),
@@ -331,9 +331,9 @@ TYPES: dict[str, Info] = {
             Parameter("latitude", "latitude", "scalar", description="Latitude.", facts=("Unit: deg.", "Frame: llh."), scalar="double", units=("deg",), frame="llh"),
             Parameter("longitude", "longitude", "scalar", description="Longitude.", facts=("Unit: deg.", "Frame: llh."), scalar="double", units=("deg",), frame="llh"),
             Parameter("height", "height", "scalar", description="Height above the ellipsoid.", facts=("Unit: m.", "Frame: llh."), scalar="double", units=("m",), frame="llh"),
-            Parameter("velocity", "velocity", "array", description="Velocity.", facts=("Elements: x, y, z.", "Unit: m/s.", "Frame: ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), frame="ned"),
-            Parameter("position_uncertainty", "position_uncertainty", "array", description="Standard deviation of the position.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: ned."), scalar="float", elements=("x", "y", "z"), units=("m",), frame="ned"),
-            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", description="Standard deviation of the velocity.", facts=("Elements: x, y, z.", "Unit: m/s.", "Frame: ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), frame="ned"),
+            Parameter("velocity", "velocity", "array", description="Velocity.", facts=("Elements: north, east, down.", "Unit: m/s.", "Frame: ned."), scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned"),
+            Parameter("position_uncertainty", "position_uncertainty", "array", description="Standard deviation of the position.", facts=("Elements: north, east, down.", "Unit: m.", "Frame: ned."), scalar="float", elements=("north", "east", "down"), units=("m",), frame="ned"),
+            Parameter("velocity_uncertainty", "velocity_uncertainty", "array", description="Standard deviation of the velocity.", facts=("Elements: north, east, down.", "Unit: m/s.", "Frame: ned."), scalar="float", elements=("north", "east", "down"), units=("m/s",), frame="ned"),
         ),
     ),
     "ExternalHeadingUpdate": FieldInfo(
@@ -520,13 +520,13 @@ TYPES: dict[str, Info] = {
             Parameter("enable", "enable", "scalar", description="0 disables, 1 enables.", facts=("Range: 0 to 1.", "Required for `write`."), scalar="u8", maximum=1, required=("write",), minimum=0),
             Parameter("latitude", "latitude", "scalar", description="Latitude.", facts=("Unit: deg.", "Frame: llh.", "Required for `write`."), scalar="double", units=("deg",), frame="llh", required=("write",)),
             Parameter("longitude", "longitude", "scalar", description="Longitude.", facts=("Unit: deg.", "Frame: llh.", "Required for `write`."), scalar="double", units=("deg",), frame="llh", required=("write",)),
-            Parameter("altitude", "altitude", "scalar", description="Altitude.", facts=("Unit: m.", "Frame: llh.", "Required for `write`."), scalar="double", units=("m",), frame="llh", required=("write",)),
+            Parameter("altitude", "altitude", "scalar", description="Altitude.", facts=("Unit: m.", "Required for `write`.", "Uncertain: Whether it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea level."), scalar="double", units=("m",), required=("write",)),
         ),
     ),
     "MagCaptureAutoCalibration": FieldInfo(
         "filter.mag_capture_auto_calibration", type=filter.MagCaptureAutoCalibration,
         title="Capture automatic magnetometer calibration",
-        description="Makes the automatic magnetometer calibration part of the fixed one.",
+        description="Moves what the automatic magnetometer calibration has found into the fixed calibration.",
         facts=("Also called `mag_capture_auto_cal`.", "Functions: `write` and `save`.", "Supported by 3DM-GX5-45.", "Known only from the MicroStrain MIP SDK.", "A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and `mip_3dm.MagSoftIronMatrix`, and resets it.", "A save does the same as the save of both of these commands."),
         sources=("mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)",),
         also=("mag_capture_auto_cal",),
@@ -598,7 +598,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-gx5-15",),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("control", "control", "scalar", description="Measurements to use.", facts=("Required for `write`.",), scalar="u16", required=("write",), type=filter.MeasurementFlags),
+            Parameter("control", "control", "scalar", description="Measurements to use.", facts=("Required for `write`.", "On the 3DM-GX5-15: only `filter.MeasurementFlags.ACCEL`."), scalar="u16", required=("write",), type=filter.MeasurementFlags, variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: only `filter.MeasurementFlags.ACCEL`.", {"only": ("accel",)}),)),
         ),
     ),
     "MagNoise": FieldInfo(
@@ -625,7 +625,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", description="Source of the declination.", facts=("Required for `write`.", "On the 3DM-GQ7-GNSS/INS: only `filter.MagParameterSource.WMM` and `filter.MagParameterSource.MANUAL`."), scalar="u8", required=("write",), type=filter.MagParameterSource, variants=(Variant("device", ("3dm-gq7",), "On the 3DM-GQ7-GNSS/INS: only `filter.MagParameterSource.WMM` and `filter.MagParameterSource.MANUAL`.", {"only": ("wmm", "manual")}),)),
-            Parameter("declination", "declination", "scalar", description="Declination; used only if `source` is manual.", facts=("Unit: rad.", "Required for `write`."), scalar="float", units=("rad",), required=("write",)),
+            Parameter("declination", "declination", "scalar", description="Declination; used only if `source` is manual.", facts=("Unit: rad.", "Required for `write`.", "Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is required only if it is, but gives one length."), scalar="float", units=("rad",), required=("write",)),
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurement": FieldInfo(
@@ -781,7 +781,7 @@ TYPES: dict[str, Info] = {
     "KinematicConstraint": FieldInfo(
         "filter.kinematic_constraint", type=filter.KinematicConstraint,
         title="Kinematic constraint",
-        description="Assumptions about the motion that the filter uses as measurements.",
+        description="What the filter may take for granted about the motion, in place of measurements.",
         facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `filter.KinematicConstraintResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: Whether there are further values. The SDK has plain numbers and gives the values in remarks."),
         sources=("mip-sdk-4: Kinematic Constraint (0x0D,0x51)",),
         functions=("write", "read", "save", "load", "default"),
@@ -809,8 +809,8 @@ TYPES: dict[str, Info] = {
             Parameter("initial_heading", "initial_heading", "scalar", description="Initial heading that the user provides.", facts=("Unit: deg.", "Required for `write`."), scalar="float", units=("deg",), required=("write",)),
             Parameter("initial_pitch", "initial_pitch", "scalar", description="Initial pitch that the user provides.", facts=("Unit: deg.", "Required for `write`."), scalar="float", units=("deg",), required=("write",)),
             Parameter("initial_roll", "initial_roll", "scalar", description="Initial roll that the user provides.", facts=("Unit: deg.", "Required for `write`."), scalar="float", units=("deg",), required=("write",)),
-            Parameter("initial_position", "initial_position", "array", description="Initial position that the user provides.", facts=("Elements: x, y, z.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh."), scalar="float", elements=("x", "y", "z"), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh.", {"units": ("deg", "deg", "m"), "frame": "llh"}),)),
-            Parameter("initial_velocity", "initial_velocity", "array", description="Initial velocity that the user provides.", facts=("Elements: x, y, z.", "Unit: m/s.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: frame ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", {"frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: frame ned.", {"frame": "ned"}),)),
+            Parameter("initial_position", "initial_position", "array", description="Initial position that the user provides.", facts=("Elements: x, y, z.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh."), scalar="float", elements=("x", "y", "z"), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh.", {"elements": ("latitude", "longitude", "height"), "units": ("deg", "deg", "m"), "frame": "llh"}),)),
+            Parameter("initial_velocity", "initial_velocity", "array", description="Initial velocity that the user provides.", facts=("Elements: x, y, z.", "Unit: m/s.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements north, east, down; frame ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", {"frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements north, east, down; frame ned.", {"elements": ("north", "east", "down"), "frame": "ned"}),)),
             Parameter("reference_frame_selector", "reference_frame_selector", "scalar", description="Frame of the initial position and velocity.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=filter.ReferenceFrame),
         ),
     ),
@@ -856,7 +856,7 @@ TYPES: dict[str, Info] = {
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("source", "source", "scalar", description="Source of the reference point.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=filter.RelativePositionSource),
             Parameter("reference_frame_selector", "reference_frame_selector", "scalar", description="Frame of the coordinates.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=filter.ReferenceFrame),
-            Parameter("reference_coordinates", "reference_coordinates", "array", description="Reference point.", facts=("Elements: x, y, z.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh."), scalar="double", elements=("x", "y", "z"), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh.", {"units": ("deg", "deg", "m"), "frame": "llh"}),)),
+            Parameter("reference_coordinates", "reference_coordinates", "array", description="Reference point.", facts=("Elements: x, y, z.", "Required for `write`.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh."), scalar="double", elements=("x", "y", "z"), required=("write",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh.", {"elements": ("latitude", "longitude", "height"), "units": ("deg", "deg", "m"), "frame": "llh"}),)),
         ),
     ),
     "ReferencePointLeverArm": FieldInfo(
@@ -938,7 +938,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
             Parameter("enable", "enable", "scalar", description="0 disables, 1 enables.", facts=("Range: 0 to 1.", "Required for `write`."), scalar="u8", maximum=1, required=("write",), minimum=0),
-            Parameter("max_offset", "max_offset", "scalar", description="Largest absolute error that is tracked; the limits are those of the 3DM-CV7.", facts=("Unit: m.", "Frame: vehicle.", "Range: 0 to 0.5.", "Default: 0.1.", "Required for `write`."), scalar="float", units=("m",), maximum=0.5, default=0.1, frame="vehicle", required=("write",), minimum=0),
+            Parameter("max_offset", "max_offset", "scalar", description="Largest absolute error that is tracked.", facts=("Unit: m.", "Frame: vehicle.", "Range: at least 0.", "Required for `write`.", "On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1."), scalar="float", units=("m",), frame="vehicle", required=("write",), minimum=0, variants=(Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.", {"minimum": 0, "maximum": 0.5, "default": 0.1}),)),
         ),
     ),
     "VehicleDynamicsModeResponse": FieldInfo(
@@ -981,7 +981,7 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)",),
         devices=("3dm-cv7-gnss-ins", "3dm-cv7-ins", "3dm-gx5-45"),
         parameters=(
-            Parameter("offset", "offset", "array", description="From the sensor origin to the centre of the antenna.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Range: magnitude at most 10."), scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle"),
+            Parameter("offset", "offset", "array", description="From the sensor origin to the phase centre of the antenna.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Range: magnitude at most 10.", "On the 3DM-GX5-45: frame sensor."), scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle", variants=(Variant("device", ("3dm-gx5-45",), "On the 3DM-GX5-45: frame sensor.", {"frame": "sensor"}),)),
         ),
     ),
     "EstimationControlResponse": FieldInfo(
@@ -1101,7 +1101,7 @@ TYPES: dict[str, Info] = {
             Parameter("enable", "enable", "scalar", description="0 disables, 1 enables.", facts=("Range: 0 to 1.",), scalar="u8", maximum=1, minimum=0),
             Parameter("latitude", "latitude", "scalar", description="Latitude.", facts=("Unit: deg.", "Frame: llh."), scalar="double", units=("deg",), frame="llh"),
             Parameter("longitude", "longitude", "scalar", description="Longitude.", facts=("Unit: deg.", "Frame: llh."), scalar="double", units=("deg",), frame="llh"),
-            Parameter("altitude", "altitude", "scalar", description="Altitude.", facts=("Unit: m.", "Frame: llh."), scalar="double", units=("m",), frame="llh"),
+            Parameter("altitude", "altitude", "scalar", description="Altitude.", facts=("Unit: m.", "Uncertain: Whether it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea level."), scalar="double", units=("m",)),
         ),
     ),
     "GravityNoiseResponse": FieldInfo(
@@ -1150,7 +1150,7 @@ TYPES: dict[str, Info] = {
         facts=("Answers `filter.TareOrientation`.", "Uncertain: Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response."),
         sources=("3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)", "mip-sdk-4: Tare Orientation (0x0D,0x21)"),
         parameters=(
-            Parameter("axes", "axes", "scalar", description="Axes to tare; 0 resets all axes.", scalar="u8", type=filter.TareAxes),
+            Parameter("axes", "axes", "scalar", description="Axes that are tared.", scalar="u8", type=filter.TareAxes),
         ),
     ),
     "EnableMeasurementsResponse": FieldInfo(
@@ -1181,7 +1181,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7", "3dm-gx5-45"),
         parameters=(
             Parameter("source", "source", "scalar", description="Source of the declination.", scalar="u8", type=filter.MagParameterSource),
-            Parameter("declination", "declination", "scalar", description="Declination; used only if `source` is manual.", facts=("Unit: rad.",), scalar="float", units=("rad",)),
+            Parameter("declination", "declination", "scalar", description="Declination; used only if `source` is manual.", facts=("Unit: rad.", "Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is required only if it is, but gives one length."), scalar="float", units=("rad",)),
         ),
     ),
     "AccelMagnitudeErrorAdaptiveMeasurementResponse": FieldInfo(
@@ -1300,7 +1300,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins",),
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar"),
         parameters=(
-            Parameter("aiding_source", "aiding_source", "scalar", description="The source; `all` is for save, load and default.", scalar="u16", type=filter.AidingSource),
+            Parameter("aiding_source", "aiding_source", "scalar", description="The source.", scalar="u16", type=filter.AidingSource),
             Parameter("enable", "enable", "scalar", description="Whether the filter uses the source.", scalar="bool"),
         ),
     ),
@@ -1329,8 +1329,8 @@ TYPES: dict[str, Info] = {
             Parameter("initial_heading", "initial_heading", "scalar", description="Initial heading that the user provides.", facts=("Unit: deg.",), scalar="float", units=("deg",)),
             Parameter("initial_pitch", "initial_pitch", "scalar", description="Initial pitch that the user provides.", facts=("Unit: deg.",), scalar="float", units=("deg",)),
             Parameter("initial_roll", "initial_roll", "scalar", description="Initial roll that the user provides.", facts=("Unit: deg.",), scalar="float", units=("deg",)),
-            Parameter("initial_position", "initial_position", "array", description="Initial position that the user provides.", facts=("Elements: x, y, z.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh."), scalar="float", elements=("x", "y", "z"), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh.", {"units": ("deg", "deg", "m"), "frame": "llh"}),)),
-            Parameter("initial_velocity", "initial_velocity", "array", description="Initial velocity that the user provides.", facts=("Elements: x, y, z.", "Unit: m/s.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: frame ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", {"frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: frame ned.", {"frame": "ned"}),)),
+            Parameter("initial_position", "initial_position", "array", description="Initial position that the user provides.", facts=("Elements: x, y, z.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh."), scalar="float", elements=("x", "y", "z"), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh.", {"elements": ("latitude", "longitude", "height"), "units": ("deg", "deg", "m"), "frame": "llh"}),)),
+            Parameter("initial_velocity", "initial_velocity", "array", description="Initial velocity that the user provides.", facts=("Elements: x, y, z.", "Unit: m/s.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements north, east, down; frame ned."), scalar="float", elements=("x", "y", "z"), units=("m/s",), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: frame ecef.", {"frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements north, east, down; frame ned.", {"elements": ("north", "east", "down"), "frame": "ned"}),)),
             Parameter("reference_frame_selector", "reference_frame_selector", "scalar", description="Frame of the initial position and velocity.", scalar="u8", type=filter.ReferenceFrame),
         ),
     ),
@@ -1367,7 +1367,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("source", "source", "scalar", description="Source of the reference point.", scalar="u8", type=filter.RelativePositionSource),
             Parameter("reference_frame_selector", "reference_frame_selector", "scalar", description="Frame of the coordinates.", scalar="u8", type=filter.ReferenceFrame),
-            Parameter("reference_coordinates", "reference_coordinates", "array", description="Reference point.", facts=("Elements: x, y, z.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh."), scalar="double", elements=("x", "y", "z"), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: unit deg, deg, m; frame llh.", {"units": ("deg", "deg", "m"), "frame": "llh"}),)),
+            Parameter("reference_coordinates", "reference_coordinates", "array", description="Reference point.", facts=("Elements: x, y, z.", "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh."), scalar="double", elements=("x", "y", "z"), variants=(Variant("reference_frame_selector", (1,), "If `reference_frame_selector` is `filter.ReferenceFrame.ECEF`: unit m; frame ecef.", {"units": ("m",), "frame": "ecef"}), Variant("reference_frame_selector", (2,), "If `reference_frame_selector` is `filter.ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m; frame llh.", {"elements": ("latitude", "longitude", "height"), "units": ("deg", "deg", "m"), "frame": "llh"}),)),
         ),
     ),
     "ReferencePointLeverArmResponse": FieldInfo(
@@ -1378,7 +1378,7 @@ TYPES: dict[str, Info] = {
         also=("ref_point_lever_arm_response",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("reference_point", "reference_point", "scalar", description="Point to move; it must be 1.", scalar="u8", type=filter.ReferencePoint),
+            Parameter("reference_point", "reference_point", "scalar", description="The point.", scalar="u8", type=filter.ReferencePoint),
             Parameter("lever_arm_offset", "lever_arm_offset", "array", description="From the sensor to the point.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: vehicle.", "Range: magnitude at most 10."), scalar="float", elements=("x", "y", "z"), units=("m",), magnitude=(None, 10), frame="vehicle"),
         ),
     ),
@@ -1421,7 +1421,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
             Parameter("enable", "enable", "scalar", description="0 disables, 1 enables.", facts=("Range: 0 to 1.",), scalar="u8", maximum=1, minimum=0),
-            Parameter("max_offset", "max_offset", "scalar", description="Largest absolute error that is tracked; the limits are those of the 3DM-CV7.", facts=("Unit: m.", "Frame: vehicle.", "Range: 0 to 0.5.", "Default: 0.1."), scalar="float", units=("m",), maximum=0.5, default=0.1, frame="vehicle", minimum=0),
+            Parameter("max_offset", "max_offset", "scalar", description="Largest absolute error that is tracked.", facts=("Unit: m.", "Frame: vehicle.", "Range: at least 0."), scalar="float", units=("m",), frame="vehicle", minimum=0),
         ),
     ),
 }

@@ -563,7 +563,7 @@ TYPES: dict[str, Info] = {
     "DensityAltitude": FieldInfo(
         "filter_data.density_altitude", type=filter_data.DensityAltitude,
         title="Density altitude",
-        description="Altitude at which the standard atmosphere has the density of the air around the device.",
+        description="The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.",
         facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Uncertain: The SDK gives the name only; the description is the usual meaning of the term."),
         sources=("mip-sdk-4: Density Altitude (0x82,0x22)",),
         parameters=(
@@ -778,7 +778,7 @@ TYPES: dict[str, Info] = {
         also=("rel_pos_ned",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("relative_position", "relative_position", "array", description="Relative position.", facts=("Elements: x, y, z.", "Unit: m.", "Frame: ned.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="double", elements=("x", "y", "z"), units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
+            Parameter("relative_position", "relative_position", "array", description="Relative position.", facts=("Elements: north, east, down.", "Unit: m.", "Frame: ned.", "Valid if `filter_data.ValidFlags.VALID` of `valid_flags` is set."), scalar="double", elements=("north", "east", "down"), units=("m",), valid=("valid_flags.valid",), frame="ned", flags=(Flag("valid_flags.valid", "valid_flags", 0x1),)),
             Parameter("valid_flags", "valid_flags", "scalar", description="Validity of the values.", scalar="u16", type=filter_data.ValidFlags),
         ),
     ),
@@ -800,7 +800,7 @@ TYPES: dict[str, Info] = {
     "GnssAttitudeAidingStatus": FieldInfo(
         "filter_data.gnss_attitude_aiding_status", type=filter_data.GnssAttitudeAidingStatus,
         title="GNSS attitude aiding status",
-        description="How the filter uses the attitude that two GNSS antennas give.",
+        description="State of the attitude aiding by two GNSS antennas.",
         facts=("Also called `gnss_att_aid_status`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Single precision resolves the time of week to 0.0625 s at the end of the week."),
         sources=("mip-sdk-4: Gnss Att Aid Status (0x82,0x44)",),
         also=("gnss_att_aid_status",),

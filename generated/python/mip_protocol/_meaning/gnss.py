@@ -89,7 +89,7 @@ TYPES: dict[str, Info] = {
     "RtkDongleConfig": FieldInfo(
         "gnss.rtk_dongle_config", type=gnss.RtkDongleConfig,
         title="RTK dongle configuration",
-        description="Whether the device talks to the RTK dongle that is connected to it.",
+        description="Switches the communication with a connected RTK dongle on or off.",
         facts=("Also called `rtk_dongle_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.RtkDongleConfigResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)",),
         also=("rtk_dongle_configuration",),

@@ -138,7 +138,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "LegacyDataStream": EnumInfo(
-        "3dm.legacy_data_stream", type=mip_3dm.LegacyDataStream, description="A data stream of a 5-series device.", sources=("3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)",),
+        "3dm.legacy_data_stream", type=mip_3dm.LegacyDataStream, description="A data stream of a device of the generations 3 to 5.", sources=("3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)",),
         values=(
             ValueInfo("all_streams", value=0, description="All streams; for save, load and default only."),
             ValueInfo("imu", value=1, description="Sensor data (0x80)."),
@@ -284,7 +284,7 @@ TYPES: dict[str, Info] = {
         "3dm.nmea_message_format", type=mip_3dm.NmeaMessageFormat,
         title="NMEA Message Format",
         description="NMEA sentences that the device streams.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.NmeaMessageFormatResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A sentence may be listed several times with different talkers or sources.", "A sentence is sent only while the device is not idle and the data of the source is valid."),
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.NmeaMessageFormatResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "A sentence may be listed several times with different talkers or sources.", "A sentence is sent only while the device is not idle and the data of the source is valid.", "The 3DM-CV7-GNSS/INS refuses the format if a sentence would come more than 10 times per second, or, from a GNSS set, more than twice."),
         sources=("3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)",),
         functions=("write", "read", "save", "load", "default"),
         devices=("3dm-cv7-gnss-ins",),
@@ -350,7 +350,7 @@ TYPES: dict[str, Info] = {
         "3dm.data_stream_control", type=mip_3dm.DataStreamControl,
         title="Data Stream Control",
         description="Switches a data stream on or off.",
-        facts=("Also called `datastream_control`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.DataStreamControlResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.", "May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.", "5-series devices identify the stream by a number (`mip_3dm.LegacyDataStream`), other devices by its descriptor set."),
+        facts=("Also called `datastream_control`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.DataStreamControlResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.", "May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.", "Devices of the generations 3 to 5 identify the stream by a number (`mip_3dm.LegacyDataStream`), other devices by its descriptor set."),
         sources=("3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)", "3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)"),
         also=("datastream_control",),
         functions=("write", "read", "save", "load", "default"),
@@ -358,7 +358,7 @@ TYPES: dict[str, Info] = {
         perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set; 0 means all streams (save, load, default).", facts=("On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.",), scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-15", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), "On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", {"type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set; 0 means all streams (save, load, default).", facts=("On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", "On the 3DM-GX5-15: values of `mip_3dm.LegacyDataStream`; only `mip_3dm.LegacyDataStream.IMU` and `mip_3dm.LegacyDataStream.FILTER`."), scalar="u8", required=("write", "read", "save", "load", "default"), variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), "On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `mip_3dm.LegacyDataStream`; only `mip_3dm.LegacyDataStream.IMU` and `mip_3dm.LegacyDataStream.FILTER`.", {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enable", "enable", "scalar", description="Whether the stream is sent.", facts=("Default: true.", "Required for `write`."), scalar="bool", default=True, required=("write",)),
         ),
     ),
@@ -438,7 +438,7 @@ TYPES: dict[str, Info] = {
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar"),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("source", "source", "scalar", description="Source of the pulse.", facts=("Default: `mip_3dm.PpsSource.RECEIVER_1`.", "Required for `write`.", "On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `mip_3dm.PpsSource.DISABLED`, `mip_3dm.PpsSource.GPIO` and `mip_3dm.PpsSource.GENERATED`."), scalar="u8", default=1, required=("write",), type=mip_3dm.PpsSource, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar"), "On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `mip_3dm.PpsSource.DISABLED`, `mip_3dm.PpsSource.GPIO` and `mip_3dm.PpsSource.GENERATED`.", {"only": ("disabled", "gpio", "generated")}),)),
+            Parameter("source", "source", "scalar", description="Source of the pulse.", facts=("Required for `write`.", "On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `mip_3dm.PpsSource.DISABLED`, `mip_3dm.PpsSource.GPIO` and `mip_3dm.PpsSource.GENERATED`.", "On the 3DM-CV7-GNSS/INS: default `mip_3dm.PpsSource.RECEIVER_1`."), scalar="u8", required=("write",), type=mip_3dm.PpsSource, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar"), "On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `mip_3dm.PpsSource.DISABLED`, `mip_3dm.PpsSource.GPIO` and `mip_3dm.PpsSource.GENERATED`.", {"only": ("disabled", "gpio", "generated")}), Variant("device", ("3dm-cv7-gnss-ins",), "On the 3DM-CV7-GNSS/INS: default `mip_3dm.PpsSource.RECEIVER_1`.", {"default": 1}),)),
         ),
     ),
     "GetEventSupport": FieldInfo(
@@ -527,7 +527,7 @@ TYPES: dict[str, Info] = {
         "3dm.device_settings", type=mip_3dm.DeviceSettings,
         title="Device Start Up Settings",
         description="Saves, loads or resets all settings of the device at once.",
-        facts=("Functions: `save`, `load` and `default`.", "The device may take 1 s to answer.", "Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.", "A save may disturb the data output for a short time."),
+        facts=("Functions: `save`, `load` and `default`.", "The device may take 2 s to answer.", "Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.", "A save may disturb the data output for a short time.", "A save may take up to 1 s. A host should wait longer, because the answer must come through, too."),
         sources=("3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)", "3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)"),
         functions=("save", "load", "default"),
         devices=("3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
@@ -539,7 +539,7 @@ TYPES: dict[str, Info] = {
         "3dm.sensor_to_vehicle_transform_euler", type=mip_3dm.SensorToVehicleTransformEuler,
         title="Sensor-to-Vehicle Frame Transformation Euler",
         description="Mounting of the sensor in the vehicle as Euler angles.",
-        facts=("Also called `sensor_2_vehicle_transform_euler`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformEulerResponse`.", "Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformQuaternion` and `mip_3dm.SensorToVehicleTransformDcm` set the same transformation; the value read back may be another form of it.", "Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this order.", "`v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`", "It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and gravity of the filter.", "A change resets the low-pass filters, the complementary filter and the estimation filter.", "On some older devices the setting is the inverse rotation."),
+        facts=("Also called `sensor_2_vehicle_transform_euler`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformEulerResponse`.", "Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformQuaternion` and `mip_3dm.SensorToVehicleTransformDcm` set the same transformation; the value read back may be another form of it.", "Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this order.", "`v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`", "It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and gravity of the filter.", "Every change makes both attitude filters, complementary and estimation, and all low-pass filters start anew.", "On some older devices the setting is the inverse rotation."),
         sources=("3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)",),
         also=("sensor_2_vehicle_transform_euler",),
         functions=("write", "read", "save", "load", "default"),
@@ -555,7 +555,7 @@ TYPES: dict[str, Info] = {
         "3dm.sensor_to_vehicle_transform_quaternion", type=mip_3dm.SensorToVehicleTransformQuaternion,
         title="Sensor-to-Vehicle Frame Transformation Quaternion",
         description="Mounting of the sensor in the vehicle as a quaternion.",
-        facts=("Also called `sensor_2_vehicle_transform_quaternion`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformQuaternionResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformDcm` set the same transformation; the value read back may be another form of it.", "`p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that `filter.SensorToVehicleRotationQuaternion` takes.", "A change resets the low-pass filters, the complementary filter and the estimation filter."),
+        facts=("Also called `sensor_2_vehicle_transform_quaternion`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformQuaternionResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformDcm` set the same transformation; the value read back may be another form of it.", "`p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that `filter.SensorToVehicleRotationQuaternion` takes.", "Every change makes both attitude filters, complementary and estimation, and all low-pass filters start anew."),
         sources=("3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)",),
         also=("sensor_2_vehicle_transform_quaternion",),
         functions=("write", "read", "save", "load", "default"),
@@ -569,7 +569,7 @@ TYPES: dict[str, Info] = {
         "3dm.sensor_to_vehicle_transform_dcm", type=mip_3dm.SensorToVehicleTransformDcm,
         title="Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
         description="Mounting of the sensor in the vehicle as a direction cosine matrix.",
-        facts=("Also called `sensor_2_vehicle_transform_dcm`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformDcmResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformQuaternion` set the same transformation; the value read back may be another form of it.", "`v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes.", "A change resets the low-pass filters, the complementary filter and the estimation filter."),
+        facts=("Also called `sensor_2_vehicle_transform_dcm`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.SensorToVehicleTransformDcmResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "`mip_3dm.SensorToVehicleTransformEuler` and `mip_3dm.SensorToVehicleTransformQuaternion` set the same transformation; the value read back may be another form of it.", "`v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes.", "Every change makes both attitude filters, complementary and estimation, and all low-pass filters start anew."),
         sources=("3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)",),
         also=("sensor_2_vehicle_transform_dcm",),
         functions=("write", "read", "save", "load", "default"),
@@ -682,7 +682,7 @@ TYPES: dict[str, Info] = {
         "3dm.gpio_config", type=mip_3dm.GpioConfig,
         title="GPIO Configuration",
         description="What a GPIO pin is used for.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.GpioConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.", "Not every pin has every feature.", "For an output, configure the function first, then the pin; for an input, configure the pin first, then the function.", "A configuration that only one pin can have moves to the last pin configured; the earlier pin is reset.", "With NMEA input at most one pin may be a UART input; set it to unused before another one takes over."),
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `mip_3dm.GpioConfigResponse`.", "Supported by 3DM-CV7-GNSS/INS.", "May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.", "Not every pin has every feature.", "For an output with another feature than gpio, set up what drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure the pin first, then what uses it.", "A configuration that only one pin can have moves to the last pin configured; the earlier pin is reset.", "With NMEA input at most one pin may be a UART input; set it to unused before another one takes over."),
         sources=("3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)",),
         functions=("write", "read", "save", "load", "default"),
         devices=("3dm-cv7-gnss-ins",),
@@ -886,7 +886,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-35", "3dm-rq1-45-lt", "3dm-rq1-45-st"),
         perhaps=("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-45", "3dm-mv5-ar"),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", description="Stream given in the command.", facts=("On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.",), scalar="u8", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-15", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), "On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", {"type": mip_3dm.LegacyDataStream}),)),
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Stream given in the command.", facts=("On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", "On the 3DM-GX5-15: values of `mip_3dm.LegacyDataStream`; only `mip_3dm.LegacyDataStream.IMU` and `mip_3dm.LegacyDataStream.FILTER`."), scalar="u8", variants=(Variant("device", ("3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"), "On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm.LegacyDataStream`.", {"type": mip_3dm.LegacyDataStream}), Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: values of `mip_3dm.LegacyDataStream`; only `mip_3dm.LegacyDataStream.IMU` and `mip_3dm.LegacyDataStream.FILTER`.", {"only": ("imu", "filter"), "type": mip_3dm.LegacyDataStream}),)),
             Parameter("enabled", "enabled", "scalar", description="Whether the stream is sent.", scalar="bool"),
         ),
     ),
@@ -958,7 +958,7 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set; 0 means all of them (save, load, default).", scalar="u8"),
+            Parameter("descriptor_set", "descriptor_set", "scalar", description="Data descriptor set.", scalar="u8"),
             Parameter("num_descriptors", "num_descriptors", "counter", description="Number of fields.", facts=("The number of elements of `descriptors`.",), scalar="u8", counts="descriptors"),
             Parameter("descriptors", "descriptors", "array", description="Fields and decimations.", facts=("Refers to fields of `descriptor_set`.",), length="num_descriptors", type=types.DescriptorRate),
         ),
@@ -1325,7 +1325,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins",),
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar"),
         parameters=(
-            Parameter("source", "source", "scalar", description="Source of the pulse.", facts=("Default: `mip_3dm.PpsSource.RECEIVER_1`.",), scalar="u8", default=1, type=mip_3dm.PpsSource),
+            Parameter("source", "source", "scalar", description="Source of the pulse.", scalar="u8", type=mip_3dm.PpsSource),
         ),
     ),
     "SensorToVehicleTransformEulerResponse": FieldInfo(
@@ -1383,8 +1383,8 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("instance", "instance", "scalar", description="Trigger instance; 0 means all configured triggers, except for read.", scalar="u8"),
-            Parameter("mode", "mode", "scalar", description="New mode.", facts=("Default: `types.EventTriggerMode.DISABLED`.",), scalar="u8", default=0, type=types.EventTriggerMode),
+            Parameter("instance", "instance", "scalar", description="Trigger instance.", scalar="u8"),
+            Parameter("mode", "mode", "scalar", description="Mode of the trigger.", facts=("Default: `types.EventTriggerMode.DISABLED`.",), scalar="u8", default=0, type=types.EventTriggerMode),
         ),
     ),
     "GetEventTriggerStatusResponse": FieldInfo(
@@ -1417,7 +1417,7 @@ TYPES: dict[str, Info] = {
         also=("event_trigger_response",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("instance", "instance", "scalar", description="Trigger instance; 0 means all (save, load, default).", scalar="u8"),
+            Parameter("instance", "instance", "scalar", description="Trigger instance.", scalar="u8"),
             Parameter("type", "type", "scalar", description="Kind of trigger.", facts=("Default: `types.EventTriggerType.NONE`.",), scalar="u8", default=0, type=types.EventTriggerType),
             Parameter("parameters", "parameters", "switch", description="The condition.", facts=("Selected by `type`.", "Empty if `type` is `types.EventTriggerType.NONE`."), tag="type", cases={0: None, 1: Parameter("gpio", "gpio", "struct", facts=("If `type` is `types.EventTriggerType.GPIO`.",), type=types.EventTriggerGpio), 2: Parameter("threshold", "threshold", "struct", facts=("If `type` is `types.EventTriggerType.THRESHOLD`.",), type=types.EventTriggerThreshold), 3: Parameter("combination", "combination", "struct", facts=("If `type` is `types.EventTriggerType.COMBINATION`.",), type=types.EventTriggerCombination), }),
         ),
@@ -1430,7 +1430,7 @@ TYPES: dict[str, Info] = {
         also=("event_action_response",),
         devices=("3dm-cv7-gnss-ins",),
         parameters=(
-            Parameter("instance", "instance", "scalar", description="Action instance; 0 means all (save, load, default).", scalar="u8"),
+            Parameter("instance", "instance", "scalar", description="Action instance.", scalar="u8"),
             Parameter("trigger", "trigger", "scalar", description="Trigger instance that the action follows.", scalar="u8"),
             Parameter("type", "type", "scalar", description="Kind of action.", facts=("Default: `types.EventActionType.NONE`.",), scalar="u8", default=0, type=types.EventActionType),
             Parameter("parameters", "parameters", "switch", description="The effect.", facts=("Selected by `type`.", "Empty if `type` is `types.EventActionType.NONE`."), tag="type", cases={0: None, 1: Parameter("gpio", "gpio", "struct", facts=("If `type` is `types.EventActionType.GPIO`.",), type=types.EventActionGpio), 2: Parameter("message", "message", "struct", facts=("If `type` is `types.EventActionType.MESSAGE`.",), type=types.EventActionMessage), }),
@@ -1444,7 +1444,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins",),
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
         parameters=(
-            Parameter("pin", "pin", "scalar", description="GPIO pin, counted from 1; 0 means all pins (save, load, default).", scalar="u8"),
+            Parameter("pin", "pin", "scalar", description="GPIO pin, counted from 1.", scalar="u8"),
             Parameter("feature", "feature", "scalar", description="Use of the pin.", facts=("Default: `types.GpioFeature.UNUSED`.",), scalar="u8", default=0, type=types.GpioFeature),
             Parameter("behavior", "behavior", "scalar", description="Role of the pin within the feature; 0 if the feature has no roles.", facts=("If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.", "If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.", "If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.", "If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.", "If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.", "If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`."), scalar="u8", variants=(Variant("feature", (0,), "If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.", {"type": types.GpioUnusedBehavior}), Variant("feature", (1,), "If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.", {"type": types.GpioBehavior}), Variant("feature", (2,), "If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.", {"type": types.GpioPpsBehavior}), Variant("feature", (3,), "If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.", {"type": types.GpioEncoderBehavior}), Variant("feature", (4,), "If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.", {"type": types.GpioTimestampBehavior}), Variant("feature", (5,), "If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.", {"type": types.GpioUartBehavior}),)),
             Parameter("pin_mode", "pin_mode", "scalar", description="Electrical options.", scalar="u8", type=types.GpioPinMode),
@@ -1508,10 +1508,10 @@ TYPES: dict[str, Info] = {
         perhaps=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-gq7"),
         parameters=(
             Parameter("descriptor_set", "descriptor_set", "scalar", description="Descriptor set of the field.", scalar="u8"),
-            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor; 0 if the set is 0.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8"),
+            Parameter("field_descriptor", "field_descriptor", "scalar", description="Field descriptor.", facts=("Refers to fields of `descriptor_set`.",), scalar="u8"),
             Parameter("enable", "enable", "scalar", description="Whether the field is filtered.", scalar="bool"),
             Parameter("manual", "manual", "scalar", description="True uses `frequency`; false uses half the rate of the field in the message format.", scalar="bool"),
-            Parameter("frequency", "frequency", "scalar", description="Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.", facts=("Unit: Hz.",), scalar="float", units=("Hz",)),
+            Parameter("frequency", "frequency", "scalar", description="Cutoff in use.", facts=("Unit: Hz.",), scalar="float", units=("Hz",)),
         ),
     ),
 }

@@ -130,7 +130,7 @@ TYPES: dict[str, Info] = {
     "EraseStorage": FieldInfo(
         "rtk.erase_storage", type=rtk.EraseStorage,
         title="Erase storage",
-        description="Erases a storage medium down to its raw state.",
+        description="Returns a storage medium to its raw state; everything on it is erased.",
         facts=("For advanced use.", "Also called `prod_erase_storage`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "All stored data is lost. The command is for production.", "Accepted in calibration mode only."),
         sources=("mip-sdk-4: Prod Erase Storage (0x0F,0x20)",),
         also=("prod_erase_storage",),
@@ -143,7 +143,7 @@ TYPES: dict[str, Info] = {
         "rtk.led_control", type=rtk.LedControl,
         title="LED control",
         description="Colours and pattern of the LED.",
-        facts=("For advanced use.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Accepted in calibration mode and production test mode only."),
+        facts=("For advanced use.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Only in calibration mode or production test mode; otherwise it is refused."),
         sources=("mip-sdk-4: Led Control (0x0F,0x21)",),
         advanced=True,
         parameters=(

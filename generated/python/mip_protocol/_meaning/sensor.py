@@ -128,7 +128,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         perhaps=("3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("m", "m", "array", description="Rotation from the NED frame to the vehicle frame.", facts=("Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.", "Unit: 1.", "On the 3DM-GX5-15: From the NED frame to the sensor frame."), scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: From the NED frame to the sensor frame.", {}),)),
+            Parameter("m", "m", "array", description="Rotation from the NED frame to the vehicle frame.", facts=("Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.", "Unit: 1.", "Frame: ned.", "On the 3DM-GX5-15: From the NED frame to the sensor frame."), scalar="float", elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"), units=("1",), frame="ned", variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: From the NED frame to the sensor frame.", {}),)),
         ),
     ),
     "CompQuaternion": FieldInfo(
@@ -140,7 +140,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         perhaps=("3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("q", "q", "array", description="Rotation between the NED frame and the vehicle frame.", facts=("Elements: w, x, y, z.", "Unit: 1.", "On the 3DM-GX5-15: Between NED and the sensor frame."), scalar="float", elements=("w", "x", "y", "z"), units=("1",), variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: Between NED and the sensor frame.", {}),)),
+            Parameter("q", "q", "array", description="Rotation between the NED frame and the vehicle frame.", facts=("Elements: w, x, y, z.", "Unit: 1.", "Frame: ned.", "On the 3DM-GX5-15: Between NED and the sensor frame."), scalar="float", elements=("w", "x", "y", "z"), units=("1",), frame="ned", variants=(Variant("device", ("3dm-gx5-15",), "On the 3DM-GX5-15: Between NED and the sensor frame.", {}),)),
         ),
     ),
     "CompOrientationUpdateMatrix": FieldInfo(
@@ -163,9 +163,9 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-gnss-ins", "3dm-gx5-15"),
         perhaps=("3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("roll", "roll", "scalar", description="Roll angle.", facts=("Unit: rad.",), scalar="float", units=("rad",)),
-            Parameter("pitch", "pitch", "scalar", description="Pitch angle.", facts=("Unit: rad.",), scalar="float", units=("rad",)),
-            Parameter("yaw", "yaw", "scalar", description="Yaw angle.", facts=("Unit: rad.",), scalar="float", units=("rad",)),
+            Parameter("roll", "roll", "scalar", description="Roll angle.", facts=("Unit: rad.", "Frame: ned."), scalar="float", units=("rad",), frame="ned"),
+            Parameter("pitch", "pitch", "scalar", description="Pitch angle.", facts=("Unit: rad.", "Frame: ned."), scalar="float", units=("rad",), frame="ned"),
+            Parameter("yaw", "yaw", "scalar", description="Yaw angle.", facts=("Unit: rad.", "Frame: ned."), scalar="float", units=("rad",), frame="ned"),
         ),
     ),
     "OrientationRawTemperature": FieldInfo(
@@ -207,7 +207,7 @@ TYPES: dict[str, Info] = {
         "sensor.north_vector", type=sensor.NorthVector,
         title="Complementary filter stabilized north vector",
         description="Estimate of the geomagnetic field by the complementary filter, free of short disturbances.",
-        facts=("Supported by 3DM-GX5-15.", "May be supported by 3DM-GX5-35 and 3DM-GX5-45.", "Without magnetic disturbance it equals the measured magnetic field.", "A lasting disturbance is not compensated."),
+        facts=("Supported by 3DM-GX5-15.", "May be supported by 3DM-GX5-35 and 3DM-GX5-45.", "Without magnetic disturbance it equals the measured magnetic field, as long as that is in the sensor frame, too, which a sensor-to-vehicle transformation changes.", "A lasting disturbance is not compensated."),
         sources=("3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)",),
         devices=("3dm-gx5-15",),
         perhaps=("3dm-gx5-35", "3dm-gx5-45"),
@@ -219,7 +219,7 @@ TYPES: dict[str, Info] = {
         "sensor.up_vector", type=sensor.UpVector,
         title="Complementary filter stabilized up vector",
         description="Estimate of the vertical (up) by the complementary filter, free of linear acceleration.",
-        facts=("Supported by 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "At rest it equals the measured acceleration."),
+        facts=("Supported by 3DM-GX5-15 and 3DM-GX5-35.", "May be supported by 3DM-GX5-45.", "At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which a sensor-to-vehicle transformation changes."),
         sources=("3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)",),
         devices=("3dm-gx5-15", "3dm-gx5-35"),
         perhaps=("3dm-gx5-45",),

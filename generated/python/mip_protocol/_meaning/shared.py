@@ -46,7 +46,7 @@ TYPES: dict[str, Info] = {
         "shared.ticks", type=shared.Ticks,
         title="Ticks",
         description="Base periods since power-up.",
-        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "One tick is one period of the base rate.", "Uncertain: According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would take longer or shorter."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "A tick takes as long as one period at the base rate of the device.", "Uncertain: According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would take longer or shorter."),
         sources=("mip-sdk-4: Ticks (0xFF,0xD1)",),
         parameters=(
             Parameter("ticks", "ticks", "scalar", description="Ticks.", facts=("Unit: 1.",), scalar="u32", units=("1",)),
@@ -55,8 +55,8 @@ TYPES: dict[str, Info] = {
     "DeltaTicks": FieldInfo(
         "shared.delta_ticks", type=shared.DeltaTicks,
         title="Delta ticks",
-        description="Base periods since this field was last sent.",
-        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "One tick is one period of the base rate.", "Uncertain: Whether each set and each event instance counts separately, as with `shared.DeltaTime`."),
+        description="Base periods that have passed from the previous field of this kind to this one.",
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "A tick takes as long as one period at the base rate of the device.", "Uncertain: Whether each set and each event instance counts separately, as with `shared.DeltaTime`."),
         sources=("mip-sdk-4: Delta Ticks (0xFF,0xD2)",),
         parameters=(
             Parameter("ticks", "ticks", "scalar", description="Ticks.", facts=("Unit: 1.",), scalar="u32", units=("1",)),

@@ -130,7 +130,7 @@ TYPES: dict[str, Info] = {
     "EventThresholdType": EnumInfo(
         "event_threshold_type", type=types.EventThresholdType, description="How a threshold trigger compares.", sources=("3dm-cv7-gnss-ins: ThresholdParams",),
         values=(
-            ValueInfo("window", value=1, description="The value lies between two thresholds."),
+            ValueInfo("window", value=1, description="The value is in a window between two thresholds, or outside of it."),
             ValueInfo("interval", value=2, description="The remainder of the value divided by an interval is at most a threshold."),
         ),
     ),
@@ -156,7 +156,7 @@ TYPES: dict[str, Info] = {
         "event_threshold_window", type=types.EventThresholdWindow, description="Two thresholds with a window between them.",
         parameters=(
             Parameter("low_threshold", "low_threshold", "scalar", description="Lower threshold, in the unit of the watched value.", scalar="double"),
-            Parameter("high_threshold", "high_threshold", "scalar", description="Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside the window.", scalar="double"),
+            Parameter("high_threshold", "high_threshold", "scalar", description="Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded.", scalar="double"),
         ),
     ),
     "EventThresholdInterval": StructureInfo(

@@ -27,11 +27,12 @@ TIMES = ("utc", "unix", "start", "clock", "none")
 
 EPILOG = """\
 examples:
-  mip export log.bin -o log.csv                             all fields, a row for each packet
+  mip export log.bin -o log.csv                             all data, a row for each packet
   mip export log.bin sensor.scaled_accel -o accel.csv       one field
   mip export log.bin --split -o tables.csv                  tables.sensor.scaled_accel.csv, …
   mip export log.bin sensor filter_data -o log.parquet --align sensor.scaled_accel
   mip export log.bin --format jsonl -o - | jq .
+  mip export log.bin acknowledge base 3dm -o answers.csv    also commands and answers, if named
 
 csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field; with
 --align, a line has all fields. npz needs NumPy, parquet and arrow (the file format of Feather) need
@@ -81,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
         raise Misuse("--split writes several files; name one with -o, and fields are added to it")
     if options.split and options.align:
         raise Misuse("--split and --align cannot be combined; leave one out")
-    selection = Selection([*options.names, *options.only], options.without)
+    selection = Selection([*options.names, *options.only], options.without, data=True)
     aligned = _one_type(options.align) if options.align else None
     module: Any = __import__(f"{__package__}.{FORMATS[form]}", fromlist=["write"])
     module.require(form)
@@ -89,7 +90,12 @@ def run(options: argparse.Namespace) -> int:
         name = stack.enter_context(inputs.seekable(options.file))
         job = module.Job(name, form, options, selection, aligned)
         if not job.types:
-            raise Failure(f"{options.file} has none of these fields; `mip info` lists those it has")
+            what = (
+                "none of these fields"
+                if selection.named
+                else "no data (commands and answers must be named)"
+            )
+            raise Failure(f"{options.file} has {what}; `mip info` lists the fields that it has")
         if aligned is not None and aligned not in job.types:
             if not selection.has(aligned.SET, aligned.DESCRIPTOR):
                 raise Misuse(f"{aligned.NAME} is not exported; name it, too, to align with it")

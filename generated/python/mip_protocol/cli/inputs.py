@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from ..errors import Failure
+from . import outputs
 from .scan import Piece, Scanner
 
 CHUNK = 1 << 16
@@ -57,6 +58,8 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
 
     `progress` of long files is shown on a terminal. Raises Failure if it cannot be read.
     """
+    if is_port(name):
+        raise Failure(f"{name} is a port, not a log; `mip record` writes a log of what it sends")
     try:
         if name == "-":
             yield from _converted(_read(sys.stdin.buffer), name)
@@ -155,21 +158,19 @@ class Progress:
     def __init__(self, size: int) -> None:
         self._size = size
         self._shown = time.monotonic()
-        self._on = size >= 1 << 22 and sys.stderr.isatty()
+        self._on = size >= 1 << 22
 
     def at(self, done: int) -> None:
         """Shows it, but not too often."""
         now = time.monotonic()
         if self._on and now - self._shown > 0.2:
             self._shown = now
-            sys.stderr.write(f"\r\x1b[K{done / self._size:.0%} of {readable(self._size)}")
-            sys.stderr.flush()
+            outputs.progress(f"{done / self._size:.0%} of {readable(self._size)}")
 
     def clear(self) -> None:
         """Removes it from the terminal."""
         if self._on:
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()
+            outputs.progress("")
 
 
 def _shown(file: IO[bytes]) -> Iterator[bytes]:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import os
 import shutil
 import sys
 import time
 from collections import deque
 from collections.abc import Iterator
 
-from . import inputs, ports, show
+from . import inputs, outputs, ports, show, signals
 from .arguments import add_device, device_id, hertz, seconds
 from .decoding import Found, decoded, name_of, raw_fields
 from .scan import Piece
@@ -59,14 +58,16 @@ def run(options: argparse.Namespace) -> int:
     device = device_id(options.device)
     screen = _Screen(options.input)
     latest: dict[tuple[int, str], _Latest] = {}
-    start = shown = time.monotonic()
-    end = None if options.duration is None else start + options.duration
+    shown = time.monotonic()
+    end: float | None = None
     live = inputs.is_port(options.input)
     packets = skipped = 0
-    with ports.stopping():
+    with signals.handled(signals.interrupt):
         try:
             for piece in _pieces(options, live):
                 now = time.monotonic()
+                if end is None and options.duration is not None:  # the port is open now
+                    end = now + options.duration
                 if piece is not None and piece.packet is not None:
                     packets += 1
                     for raw in raw_fields(piece.packet):
@@ -130,7 +131,7 @@ class _Screen:
 
     def __init__(self, title: str) -> None:
         self._title = title
-        self._terminal = sys.stdout.isatty() and os.environ.get("TERM", "dumb") != "dumb"
+        self._terminal = outputs.redraws(sys.stdout)
         if self._terminal:
             sys.stdout.write("\x1b[?1049h\x1b[?25l")
         self._last: list[str] = []
@@ -143,8 +144,9 @@ class _Screen:
             return
         width, height = shutil.get_terminal_size()
         if len(lines) > height - 1:
-            more = len(lines) - height + 2
-            lines = [*lines[: height - 2], f"… {more} more lines; name the fields that you want"]
+            shown = max(height - 2, 0)
+            more = f"… {len(lines) - shown} more lines; name the fields that you want"
+            lines = [*lines[:shown], more]
         text = "\r\n".join(line[:width] + "\x1b[K" for line in lines)
         sys.stdout.write(f"\x1b[H{text}\x1b[J")
         sys.stdout.flush()

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import os
 import queue
-import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -50,6 +50,9 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
     """A device at a port. Raises Failure if it cannot be opened."""
     from .. import open_port
 
+    if os.path.isfile(name):
+        raise Failure(f"{name} is a file, not a port")
+
     try:
         device = open_port(name, options.baud, **more)
     except (OSError, ImportError, MipError, ValueError) as error:
@@ -61,26 +64,10 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
 def reason(error: BaseException) -> str:
     """The message of an exception, in one line."""
     said = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    number = getattr(error, "errno", None)
+    if number and str(said).startswith("could not open port"):  # pyserial: with the port once more
+        said = os.strerror(number)
     return " ".join(str(said).split())
-
-
-@contextmanager
-def stopping() -> Iterator[None]:
-    """An ordinary kill and the end of the terminal are an interrupt, too."""
-
-    def interrupt(number: int, frame: object) -> None:
-        raise KeyboardInterrupt
-
-    before = {}
-    for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as of nohup
-            before[number] = signal.signal(number, interrupt)
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def received(
@@ -91,8 +78,8 @@ def received(
     Raises Lost when the port closes, after all that was received.
     """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-    end = None if seconds is None else time.monotonic() + seconds
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        end = None if seconds is None else time.monotonic() + seconds
         while True:
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
             if left <= 0:
@@ -138,4 +125,4 @@ def pieces(
     yield from scanner.flush()
 
 
-__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received", "stopping"]
+__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received"]

@@ -39,8 +39,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
     add = parser.add_argument
     add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
-    command = add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
-    command.required = True  # so that it is said to be, but with --hex there is no port before it
+    # It is missing with --hex, as there is no port before it then.
+    add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
     add("function", metavar="FUNCTION", nargs="?", help="write, read, save, load or default")
     add("values", metavar="VALUE", nargs="*", default=[], help="values in order, or NAME=VALUE")
     add("--hex", action="store_true", help="print the bytes of the packet, send nothing")

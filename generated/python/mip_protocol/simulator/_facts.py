@@ -1503,7 +1503,7 @@ COMMANDS: dict[str, Behavior] = {
         arguments={"pin": "pin", "state": "state"},
         instances={"pin": "gpio_pins"},
     ),
-    "3dm.sensor_range": Behavior(all={"sensor": 0}, initial={"setting": 1}),
+    "3dm.sensor_range": Behavior(all={"sensor": 0}, initial={"setting": 3}),
     "3dm.get_calibrated_sensor_ranges": Behavior(arguments={"sensor": "sensor"}),
     "3dm.device_status": Behavior(
         effect="device_status",
@@ -1577,6 +1577,12 @@ DIFFERENCES: dict[str, dict[str, Difference]] = {
         "3dm.pps_source_control.source": Difference(values=frozenset({0, 3, 4})),
         "filter.aiding_measurement_enable.aiding_source": Difference(values=frozenset({5, 65535})),
     },
+    "3dm-cv7-gnss-ins": {
+        "3dm.pps_source_control.source": Difference(default=1),
+        "filter.gnss_antenna_calibration_control.max_offset": Difference(
+            default=0.1, minimum=0, maximum=0.5
+        ),
+    },
     "3dm-gq4-45": {
         "filter.heading_source.source": Difference(values=frozenset({0, 1, 2, 3})),
         "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement": Difference(
@@ -1624,11 +1630,13 @@ DIFFERENCES: dict[str, dict[str, Difference]] = {
         ),
     },
     "3dm-gx5-15": {
+        "3dm.data_stream_control.descriptor_set": Difference(values=frozenset({1, 3})),
         "3dm.uart_baud_rate.baud": Difference(default=115200),
         "3dm.imu_low_pass_filter.frequency": Difference(maximum=250),
         "3dm.complementary_filter.pitch_roll_enable": Difference(default=True),
         "3dm.complementary_filter.heading_enable": Difference(default=True),
         "3dm.device_status.model_number": Difference(constant=6254),
+        "3dm.data_stream_control_response.descriptor_set": Difference(values=frozenset({1, 3})),
         "filter.heading_source.source": Difference(values=frozenset({0, 3})),
     },
     "3dm-gx5-25": {"filter.heading_source.source": Difference(values=frozenset({0, 1, 3}))},
@@ -1644,6 +1652,7 @@ DIFFERENCES: dict[str, dict[str, Difference]] = {
         "3dm.mag_hard_iron_offset.offset": Difference(default=(0, 0, 0)),
         "3dm.uart_baud_rate.baud": Difference(default=115200),
         "3dm.device_status.model_number": Difference(constant=6251),
+        "filter.gnss_source.source": Difference(values=frozenset({1, 2})),
         "filter.adaptive_filter_options.level": Difference(values=frozenset({0, 2})),
     },
     "3dm-rq1-45-lt": {

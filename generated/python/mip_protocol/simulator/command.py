@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import argparse
 import re
-import signal
 import sys
 from contextlib import ExitStack
 from datetime import datetime, timezone
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
-from ..cli import outputs
+from ..cli import outputs, signals
 from ..devices import DEVICES, Device
 from ..errors import Failure, Misuse
 from . import earth
@@ -140,7 +138,7 @@ def run(options: argparse.Namespace) -> int:
             ready=lambda text: print(text, flush=True),
             complain=_complain,
         )
-        _until_interrupted(server, stack)
+        stack.enter_context(signals.handled(lambda number, frame: server.stop()))
         stack.enter_context(server)
         if profile.incomplete:
             _complain(
@@ -207,18 +205,6 @@ def _known(profile: Device) -> str:
 
 def _count(number: int, what: str) -> str:
     return f"{number} {what}{'s' * (number != 1)}"
-
-
-def _until_interrupted(server: Server, stack: ExitStack) -> None:
-    """Ctrl-C, an ordinary kill and the end of the terminal end it cleanly."""
-
-    def stop(number: int, frame: FrameType | None) -> None:
-        server.stop()
-
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None:
-            stack.callback(signal.signal, number, signal.signal(number, stop))
 
 
 def _complain(text: str) -> None:

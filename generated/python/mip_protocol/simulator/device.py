@@ -103,6 +103,7 @@ class VirtualDevice:
         """Connects a host with a port, the first one of the profile unless it is named. Hosts may share a port.
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
+        Without it there is no limit: a host that no longer reads should `disconnect`.
         """
         if port is not None:
             port = port_named(self.profile, port).name

@@ -144,9 +144,9 @@ class Server:
             return
         self._selector.unregister(channel.peer)
         if channel.dropped:
-            self._complain(
-                f"{channel.peer} reads too slowly: {channel.dropped} packets were dropped"
-            )
+            # It may have no client: who has a terminal open is not known.
+            packets = f"{channel.dropped} packet{'s' * (channel.dropped != 1)}"
+            self._complain(f"{channel.peer}: {packets} dropped, as no client read them in time")
         self._device.disconnect(channel.link)
         channel.peer.close()
         if again and endpoint.kind == "pty":  # the same path leads to a new terminal

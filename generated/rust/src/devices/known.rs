@@ -2,6 +2,7 @@
 
 #[allow(unused_imports)] // a part of the specification needs fewer
 use super::{BaseRate, Limit, Profile, ProfilePort, Variant};
+#[allow(unused_imports)]
 use crate::protocol::AckCode;
 
 /// All devices.
@@ -710,6 +711,7 @@ pub static CV7_AR: Profile = Profile {
 /// sensor.
 ///
 /// Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+/// Uncertain: What the bug of NMEA input is that the manual warns of.
 ///
 /// Source: mip-sdk-4: Device models.
 ///
@@ -799,7 +801,8 @@ pub static CV7_AR: Profile = Profile {
 /// Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and
 /// GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is
 /// configured to receive, on that one only. An epoch is processed when a sentence with another time
-/// arrives.
+/// arrives. The manual warns of a known bug of NMEA input; the errata sheet that it refers to is
+/// not known.
 ///
 /// # RTCM input
 ///
@@ -1257,9 +1260,19 @@ pub static CV7_GNSS_INS: Profile = Profile {
             difference: "values of comm_interface",
         },
         Variant {
+            parameter: "3dm.pps_source_control.source",
+            read_as: None,
+            difference: "default receiver_1",
+        },
+        Variant {
             parameter: "3dm.imu_low_pass_filter.target_descriptor",
             read_as: None,
             difference: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read",
+        },
+        Variant {
+            parameter: "filter.gnss_antenna_calibration_control.max_offset",
+            read_as: None,
+            difference: "range 0 to 0.5; default 0.1",
         },
         Variant {
             parameter: "filter_data.status.filter_state",
@@ -2774,7 +2787,7 @@ pub static GX5_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only imu and filter",
         },
         Variant {
             parameter: "3dm.uart_baud_rate.baud",
@@ -2804,7 +2817,7 @@ pub static GX5_15: Profile = Profile {
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
-            difference: "values of legacy_data_stream",
+            difference: "values of legacy_data_stream; only imu and filter",
         },
         Variant {
             parameter: "filter.estimation_control.flags",
@@ -2815,6 +2828,11 @@ pub static GX5_15: Profile = Profile {
             parameter: "filter.heading_source.source",
             read_as: None,
             difference: "only none and external",
+        },
+        Variant {
+            parameter: "filter.enable_measurements.control",
+            read_as: None,
+            difference: "only accel",
         },
         Variant {
             parameter: "sensor.comp_orientation_matrix.m",
@@ -3124,10 +3142,11 @@ pub static GX5_35: Profile = Profile {
 /// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
 /// Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
 /// the manual are known, so it has more commands and data. This profile is incomplete: Only four
-/// fields of the filter data are listed; the manual has 27 or more. Uncertain: The base rates are
-/// those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
-/// example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives
-/// the length of
+/// fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
+/// [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL offers. Uncertain: The
+/// base rates are those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5.
+/// Uncertain: An example in the manual has a base rate of 100 Hz for the sensor data. Uncertain:
+/// The manual gives the length of
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and offsets of
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response);
@@ -3330,9 +3349,24 @@ pub static GX5_45: Profile = Profile {
             difference: "values of legacy_data_stream",
         },
         Variant {
+            parameter: "filter.antenna_offset.offset",
+            read_as: None,
+            difference: "frame sensor",
+        },
+        Variant {
+            parameter: "filter.gnss_source.source",
+            read_as: None,
+            difference: "only all_internal and external",
+        },
+        Variant {
             parameter: "filter.adaptive_filter_options.level",
             read_as: None,
             difference: "only off and moderate",
+        },
+        Variant {
+            parameter: "filter.antenna_offset_response.offset",
+            read_as: None,
+            difference: "frame sensor",
         },
     ],
     ack_codes: &[

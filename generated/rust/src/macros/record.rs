@@ -16,13 +16,18 @@
 /// A record without steps has its members on the wire in order.
 macro_rules! record {
     ($(#[$meta:meta])* pub struct $name:ident;) => {
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-        pub struct $name;
-
+        unit!([$([$meta])*] $name);
         wire!($name {} 0, true;);
+    };
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident;
+        wire $size:literal {
+            $([$($step:tt)*])*
+        }
+    ) => {
+        unit!([$([$meta])*] $name);
+        wire!($name {} $size, false; $([$($step)*])*);
     };
     (
         $(#[$meta:meta])*
@@ -71,6 +76,17 @@ macro_rules! record {
     ) => {
         members!([$([$meta])*] $name $([$([$member_meta])*] $member: $type,)*);
         wire!($name { $($member)* } $size, false; $([$($step)*])*);
+    };
+}
+
+/// The type of a record without members.
+macro_rules! unit {
+    ([$([$meta:meta])*] $name:ident) => {
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $name;
     };
 }
 

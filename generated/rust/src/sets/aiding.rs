@@ -124,7 +124,8 @@ record! {
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
-    /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
+    /// - For GNSS positions and velocities the rotation does not matter. Send one that does not
+    ///   turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
     /// - A read selects the format of the answer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
@@ -374,13 +375,13 @@ record! {
         ///
         /// Unit: m. Frame: llh. Valid if [`valid_flags.height`](LlhAxisFlags::height) is set.
         pub height: f64,
-        /// Uncertainty along north, east and down.
+        /// Uncertainty of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element has its own
-        /// valid flag. x: [`valid_flags.latitude`](LlhAxisFlags::latitude), y:
-        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z:
+        /// Elements: north, east, down. Unit: m. Frame: ned. Range: greater than 0. Each element
+        /// has its own valid flag. north: [`valid_flags.latitude`](LlhAxisFlags::latitude), east:
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), down:
         /// [`valid_flags.height`](LlhAxisFlags::height).
-        pub uncertainty: types::Vector3f,
+        pub uncertainty: types::Ned3f,
         /// Which coordinates are valid.
         pub valid_flags: LlhAxisFlags,
     }
@@ -396,7 +397,7 @@ constructors! {
         latitude: f64,
         longitude: f64,
         height: f64,
-        uncertainty: impl Into<types::Vector3f>,
+        uncertainty: impl Into<types::Ned3f>,
         valid_flags: LlhAxisFlags,
     );
 }
@@ -554,16 +555,16 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
-        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own valid flag.
+        /// north: [`valid_flags.x`](AxisFlags::x), east: [`valid_flags.y`](AxisFlags::y), down:
         /// [`valid_flags.z`](AxisFlags::z).
-        pub velocity: types::Vector3f,
+        pub velocity: types::Ned3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its
-        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
-        /// z: [`valid_flags.z`](AxisFlags::z).
-        pub uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Range: greater than 0. Each element
+        /// has its own valid flag. north: [`valid_flags.x`](AxisFlags::x), east:
+        /// [`valid_flags.y`](AxisFlags::y), down: [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Ned3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
     }
@@ -576,8 +577,8 @@ constructors! {
     fn new(
         time: MeasurementTime,
         frame_id: u8,
-        velocity: impl Into<types::Vector3f>,
-        uncertainty: impl Into<types::Vector3f>,
+        velocity: impl Into<types::Ned3f>,
+        uncertainty: impl Into<types::Ned3f>,
         valid_flags: AxisFlags,
     );
 }

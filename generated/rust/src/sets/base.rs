@@ -504,7 +504,8 @@ record! {
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
     ///   edge.
     /// - Send it within 250 ms after the rising edge of the PPS.
-    /// - The 3DM-GX5-15 needs it once per second, the 3DM-CV7-GNSS/INS at least once.
+    /// - Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least
+    ///   once.
     /// - Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
     ///   receiver is the PPS source.
     ///
@@ -849,12 +850,12 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct CommSpeedResponse {
-        /// Port id of the device; 0 means all ports, and is for save, load and default only.
+        /// Port id of the device.
         ///
         /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
         /// [`types::CommInterface`].
         pub port: u8,
-        /// Baud rate; one that the port supports.
+        /// Baud rate of the port.
         ///
         /// Unit: Bd.
         pub baud: u32,

@@ -9,7 +9,7 @@ use crate::types;
 pub const SET: u8 = 0x0D;
 
 open_enum! {
-    /// Kind of vehicle that the filter is tuned for.
+    /// Motion that the filter expects, by the way in which the device travels.
     ///
     /// Uncertain: The SDK names the modes only; the descriptions follow from the names. Uncertain:
     /// [`filter_data::Status`](crate::filter_data::Status) reports a mode too, but is known to have
@@ -199,7 +199,7 @@ open_enum! {
         EXTERNAL_ALTIMETER = 6, "external_altimeter";
         /// Magnetic field that the user sends.
         EXTERNAL_MAG = 7, "external_mag";
-        /// Velocity in the vehicle that the user sends.
+        /// Velocity in the body (vehicle) frame that the user sends.
         BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
         ALL = 65535, "all";
@@ -476,7 +476,7 @@ command! {
 record! {
     /// Vehicle dynamics mode (0x0D,0x10).
     ///
-    /// Kind of vehicle that the filter is tuned for.
+    /// Adapts the filter to the motion that it has to expect.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -685,10 +685,11 @@ record! {
     pub struct AntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// From the sensor origin to the centre of the antenna.
+        /// From the sensor origin to the phase centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
-        /// [write](types::FunctionSelector::WRITE).
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-45](crate::devices::GX5_45):
+        /// frame sensor.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -822,7 +823,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Source of the GNSS data.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): only [`GnssAidingSource::ALL_INTERNAL`] and
+        /// [`GnssAidingSource::EXTERNAL`].
         pub source: Option<GnssAidingSource>,
     }
     wire 2 {
@@ -862,7 +865,7 @@ command! {
 record! {
     /// External GNSS update (0x0D,0x16).
     ///
-    /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
+    /// One measurement of position and velocity by a GNSS receiver of the user.
     ///
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
@@ -894,16 +897,16 @@ record! {
         pub height: f64,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity: types::Ned3f,
         /// Standard deviation of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned.
-        pub position_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m. Frame: ned.
+        pub position_uncertainty: types::Ned3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned.
-        pub velocity_uncertainty: types::Vector3f,
+        /// Elements: north, east, down. Unit: m/s. Frame: ned.
+        pub velocity_uncertainty: types::Ned3f,
     }
 }
 
@@ -917,9 +920,9 @@ constructors! {
         latitude: f64,
         longitude: f64,
         height: f64,
-        velocity: impl Into<types::Vector3f>,
-        position_uncertainty: impl Into<types::Vector3f>,
-        velocity_uncertainty: impl Into<types::Vector3f>,
+        velocity: impl Into<types::Ned3f>,
+        position_uncertainty: impl Into<types::Ned3f>,
+        velocity_uncertainty: impl Into<types::Ned3f>,
     );
 }
 
@@ -1705,7 +1708,9 @@ record! {
         pub longitude: Option<f64>,
         /// Altitude.
         ///
-        /// Unit: m. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
+        /// counts from the ellipsoid or from sea level. The manual does not say; its glossary
+        /// counts altitudes from sea level.
         pub altitude: Option<f64>,
     }
     wire 26 {
@@ -1753,7 +1758,7 @@ command! {
 record! {
     /// Capture automatic magnetometer calibration (0x0D,0x27).
     ///
-    /// Makes the automatic magnetometer calibration part of the fixed one.
+    /// Moves what the automatic magnetometer calibration has found into the fixed calibration.
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
     /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
@@ -2036,7 +2041,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Measurements to use.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`accel`](MeasurementFlags::accel).
         pub control: Option<MeasurementFlags>,
     }
     wire 3 {
@@ -2157,7 +2163,9 @@ record! {
         pub source: Option<MagParameterSource>,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
+        /// may be left out if `source` is not manual. The manual says that it is required only if
+        /// it is, but gives one length.
         pub declination: Option<f32>,
     }
     wire 6 {
@@ -2951,7 +2959,7 @@ command! {
 record! {
     /// Kinematic constraint (0x0D,0x51).
     ///
-    /// Assumptions about the motion that the filter uses as measurements.
+    /// What the filter may take for granted about the motion, in place of measurements.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3072,7 +3080,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: Option<types::Vector3f>,
         /// Initial velocity that the user provides.
         ///
@@ -3080,7 +3089,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: Option<types::Vector3f>,
         /// Frame of the initial position and velocity.
         ///
@@ -3291,7 +3300,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub reference_coordinates: Option<types::Vector3d>,
     }
     wire 27 {
@@ -3664,10 +3674,11 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Largest absolute error that is tracked; the limits are those of the 3DM-CV7.
+        /// Largest absolute error that is tracked.
         ///
-        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for
-        /// [write](types::FunctionSelector::WRITE).
+        /// Unit: m. Frame: vehicle. Range: at least 0. Required for
+        /// [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): range 0 to 0.5; default 0.1.
         pub max_offset: Option<f32>,
     }
     wire 6 {
@@ -3783,9 +3794,10 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetResponse {
-        /// From the sensor origin to the centre of the antenna.
+        /// From the sensor origin to the phase centre of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): frame sensor.
         pub offset: types::Vector3f,
     }
 }
@@ -4054,7 +4066,8 @@ record! {
         pub longitude: f64,
         /// Altitude.
         ///
-        /// Unit: m. Frame: llh.
+        /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
+        /// does not say; its glossary counts altitudes from sea level.
         pub altitude: f64,
     }
 }
@@ -4160,7 +4173,7 @@ record! {
     /// (0x0D,0x21).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct TareOrientationResponse {
-        /// Axes to tare; 0 resets all axes.
+        /// Axes that are tared.
         pub axes: TareAxes,
     }
 }
@@ -4224,7 +4237,8 @@ record! {
         pub source: MagParameterSource,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The manual
+        /// says that it is required only if it is, but gives one length.
         pub declination: f32,
     }
 }
@@ -4504,7 +4518,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct AidingMeasurementEnableResponse {
-        /// The source; `all` is for save, load and default.
+        /// The source.
         pub aiding_source: AidingSource,
         /// Whether the filter uses the source.
         pub enable: crate::Bool,
@@ -4580,7 +4594,8 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
+        /// llh.
         pub initial_position: types::Vector3f,
         /// Initial velocity that the user provides.
         ///
@@ -4588,7 +4603,7 @@ record! {
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
         /// [`ReferenceFrame::ECEF`]: frame ecef. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
-        /// [`ReferenceFrame::LLH`]: frame ned.
+        /// [`ReferenceFrame::LLH`]: elements north, east, down; frame ned.
         pub initial_velocity: types::Vector3f,
         /// Frame of the initial position and velocity.
         pub reference_frame_selector: ReferenceFrame,
@@ -4670,7 +4685,8 @@ record! {
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
         /// is [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
         /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
-        /// is [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        /// is [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m;
+        /// frame llh.
         pub reference_coordinates: types::Vector3d,
     }
 }
@@ -4689,7 +4705,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
     pub struct ReferencePointLeverArmResponse {
-        /// Point to move; it must be 1.
+        /// The point.
         pub reference_point: ReferencePoint,
         /// From the sensor to the point.
         ///
@@ -4791,9 +4807,9 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Largest absolute error that is tracked; the limits are those of the 3DM-CV7.
+        /// Largest absolute error that is tracked.
         ///
-        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1.
+        /// Unit: m. Frame: vehicle. Range: at least 0.
         pub max_offset: f32,
     }
 }

@@ -1286,7 +1286,8 @@ field! {
 record! {
     /// Density altitude (0x82,0x22).
     ///
-    /// Altitude at which the standard atmosphere has the density of the air around the device.
+    /// The density of the surrounding air, as the altitude at which the standard atmosphere is as
+    /// dense.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
     /// SDK gives the name only; the description is the usual meaning of the term.
@@ -1742,9 +1743,9 @@ record! {
     pub struct NedRelativePosition {
         /// Relative position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Valid if
+        /// Elements: north, east, down. Unit: m. Frame: ned. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub relative_position: types::Vector3d,
+        pub relative_position: types::Ned3d,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1787,7 +1788,7 @@ field! {
 record! {
     /// GNSS attitude aiding status (0x82,0x44).
     ///
-    /// How the filter uses the attitude that two GNSS antennas give.
+    /// State of the attitude aiding by two GNSS antennas.
     ///
     /// Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.

@@ -223,7 +223,7 @@ command! {
 record! {
     /// RTK dongle configuration (0x0E,0x10).
     ///
-    /// Whether the device talks to the RTK dongle that is connected to it.
+    /// Switches the communication with a connected RTK dongle on or off.
     ///
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),

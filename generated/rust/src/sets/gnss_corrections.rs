@@ -109,9 +109,9 @@ record! {
     pub struct NedVelocity {
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+        /// Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
         /// [`valid_flags.velocity`](crate::gnss_1::NedVelocityFlags::velocity) is set.
-        pub velocity: types::Vector3f,
+        pub velocity: types::Ned3f,
         /// Speed in space.
         ///
         /// Unit: m/s. Valid if [`valid_flags.speed_3d`](crate::gnss_1::NedVelocityFlags::speed_3d)
@@ -1764,7 +1764,7 @@ record! {
         /// Valid if [`valid_flags.alpha`](crate::gnss_1::GalileoIonoCorrectionFlags::alpha) is set.
         /// Uncertain: The units.
         pub alpha: [f64; 3],
-        /// Storm flags of five regions, in bits 1 to 5.
+        /// Ionospheric storms, one bit (1 to 5) for each of five regions.
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)

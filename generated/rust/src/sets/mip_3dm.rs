@@ -314,7 +314,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// A data stream of a 5-series device.
+    /// A data stream of a device of the generations 3 to 5.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11).
     LegacyDataStream: u8 {
@@ -851,6 +851,8 @@ record! {
     ///
     /// - A sentence may be listed several times with different talkers or sources.
     /// - A sentence is sent only while the device is not idle and the data of the source is valid.
+    /// - The 3DM-CV7-GNSS/INS refuses the format if a sentence would come more than 10 times per
+    ///   second, or, from a GNSS set, more than twice.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
     #[derive(Eq, Hash)]
@@ -1120,8 +1122,8 @@ record! {
     /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
     /// [3DM-MV5-AR](crate::devices::MV5_AR).
     ///
-    /// - 5-series devices identify the stream by a number ([`LegacyDataStream`]), other devices by
-    ///   its descriptor set.
+    /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
+    ///   other devices by its descriptor set.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1141,10 +1143,12 @@ record! {
         /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
         /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-        /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
-        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
+        /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: Option<u8>,
         /// Whether the stream is sent.
         ///
@@ -1191,10 +1195,11 @@ impl DataStreamControl {
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST):
+    /// values of [`LegacyDataStream`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
+    /// [`LegacyDataStream`]; only [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
@@ -1523,10 +1528,10 @@ record! {
         pub function: types::FunctionSelector,
         /// Source of the pulse.
         ///
-        /// Default: [`PpsSource::RECEIVER_1`]. Required for
-        /// [write](types::FunctionSelector::WRITE). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
-        /// and [3DM-CV7-AR](crate::devices::CV7_AR): only [`PpsSource::DISABLED`],
-        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`].
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR): only
+        /// [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and [`PpsSource::GENERATED`]. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): default [`PpsSource::RECEIVER_1`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1941,13 +1946,15 @@ record! {
     /// Saves, loads or resets all settings of the device at once.
     ///
     /// Functions: [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). The device may take 1 s to answer. Supported by
+    /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to answer. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - A save may disturb the data output for a short time.
+    /// - A save may take up to 1 s. A host should wait longer, because the answer must come
+    ///   through, too.
     ///
     /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
     /// Start Up Settings (0x0C,0x30).
@@ -1980,7 +1987,7 @@ field! {
 
 command! {
     DeviceSettings -> ();
-    timeout 1000;
+    timeout 2000;
 }
 
 record! {
@@ -2003,7 +2010,8 @@ record! {
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
     /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
     ///   rate and gravity of the filter.
-    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
+    ///   filters start anew.
     /// - On some older devices the setting is the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
@@ -2082,7 +2090,8 @@ record! {
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
     ///   takes.
-    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
+    ///   filters start anew.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy)]
@@ -2144,7 +2153,8 @@ record! {
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
-    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
+    ///   filters start anew.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
@@ -2672,8 +2682,9 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Not every pin has every feature.
-    /// - For an output, configure the function first, then the pin; for an input, configure the pin
-    ///   first, then the function.
+    /// - For an output with another feature than gpio, set up what drives it first, then the pin;
+    ///   meanwhile, its level would be undefined. For an input, configure the pin first, then what
+    ///   uses it.
     /// - A configuration that only one pin can have moves to the last pin configured; the earlier
     ///   pin is reset.
     /// - With NMEA input at most one pin may be a UART input; set it to unused before another one
@@ -3578,10 +3589,12 @@ record! {
         /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
         /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-        /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
-        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
+        /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: u8,
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
@@ -3602,10 +3615,11 @@ impl DataStreamControlResponse {
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST):
+    /// values of [`LegacyDataStream`]. On the [3DM-GX5-15](crate::devices::GX5_15): values of
+    /// [`LegacyDataStream`]; only [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
@@ -3767,7 +3781,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
     #[derive(Default, Eq, Hash)]
     pub struct MessageFormatResponse {
-        /// Data descriptor set; 0 means all of them (save, load, default).
+        /// Data descriptor set.
         pub descriptor_set: u8,
         /// Fields and decimations.
         ///
@@ -4965,8 +4979,6 @@ record! {
     #[derive(Copy, Default, Eq, Hash)]
     pub struct PpsSourceControlResponse {
         /// Source of the pulse.
-        ///
-        /// Default: [`PpsSource::RECEIVER_1`].
         pub source: PpsSource,
     }
 }
@@ -5098,9 +5110,9 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EventControlResponse {
-        /// Trigger instance; 0 means all configured triggers, except for read.
+        /// Trigger instance.
         pub instance: u8,
-        /// New mode.
+        /// Mode of the trigger.
         ///
         /// Default: [`types::EventTriggerMode::DISABLED`].
         pub mode: types::EventTriggerMode,
@@ -5173,7 +5185,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventTriggerConfigResponse {
-        /// Trigger instance; 0 means all (save, load, default).
+        /// Trigger instance.
         pub instance: u8,
         /// Kind of trigger.
         ///
@@ -5206,7 +5218,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
     #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
-        /// Action instance; 0 means all (save, load, default).
+        /// Action instance.
         pub instance: u8,
         /// Trigger instance that the action follows.
         pub trigger: u8,
@@ -5243,7 +5255,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioConfigResponse {
-        /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
+        /// GPIO pin, counted from 1.
         pub pin: u8,
         /// Use of the pin.
         ///
@@ -5462,7 +5474,7 @@ record! {
     pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
         pub descriptor_set: u8,
-        /// Field descriptor; 0 if the set is 0.
+        /// Field descriptor.
         ///
         /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
@@ -5470,7 +5482,7 @@ record! {
         pub enable: crate::Bool,
         /// True uses `frequency`; false uses half the rate of the field in the message format.
         pub manual: crate::Bool,
-        /// Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
+        /// Cutoff in use.
         ///
         /// Unit: Hz.
         pub frequency: f32,

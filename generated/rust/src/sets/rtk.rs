@@ -362,7 +362,7 @@ command! {
 record! {
     /// Erase storage (0x0F,0x20).
     ///
-    /// Erases a storage medium down to its raw state.
+    /// Returns a storage medium to its raw state; everything on it is erased.
     ///
     /// For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known
     /// only from the MicroStrain MIP SDK.
@@ -400,7 +400,7 @@ record! {
     ///
     /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Accepted in calibration mode and production test mode only.
+    /// - Only in calibration mode or production test mode; otherwise it is refused.
     ///
     /// Source: mip-sdk-4: Led Control (0x0F,0x21).
     #[derive(Copy, Default, Eq, Hash)]

@@ -257,7 +257,7 @@ record! {
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): From the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
@@ -285,8 +285,8 @@ record! {
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. On the [3DM-GX5-15](crate::devices::GX5_15): Between NED
-        /// and the sensor frame.
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. On the [3DM-GX5-15](crate::devices::GX5_15):
+        /// Between NED and the sensor frame.
         pub q: types::Quatf,
     }
 }
@@ -336,15 +336,15 @@ record! {
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: ned.
         pub roll: f32,
         /// Pitch angle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: ned.
         pub pitch: f32,
         /// Yaw angle.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Frame: ned.
         pub yaw: f32,
     }
 }
@@ -435,7 +435,8 @@ record! {
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - Without magnetic disturbance it equals the measured magnetic field.
+    /// - Without magnetic disturbance it equals the measured magnetic field, as long as that is in
+    ///   the sensor frame, too, which a sensor-to-vehicle transformation changes.
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
@@ -460,7 +461,8 @@ record! {
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - At rest it equals the measured acceleration.
+    /// - At rest it equals the measured acceleration, as long as that is in the sensor frame, too,
+    ///   which a sensor-to-vehicle transformation changes.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
     #[derive(Copy, Default)]

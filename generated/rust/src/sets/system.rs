@@ -51,12 +51,13 @@ record! {
     /// be supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
-    /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
+    /// - The change comes before the acknowledge, which is sent on the main port; bytes that arrive
+    ///   during the change may be lost.
     /// - The device refuses protocols that it or the port does not have, and more parsers than it
     ///   has; then nothing is changed.
     /// - Answers to an incoming protocol are sent on the same port, even if the protocol is not an
     ///   outgoing one.
-    /// - How many parsers and streams there are depends on the device.
+    /// - Devices differ in how many protocols they receive and send at a time.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Eq, Hash)]

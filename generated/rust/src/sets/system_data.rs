@@ -34,8 +34,8 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The field is long; stream it at a low rate or poll it.
-    /// - A flag stays set until it is sent, so a short fault between two messages or during idle is
-    ///   not lost.
+    /// - A fault is reported even if it has passed by the time of the next message, because its
+    ///   flag remains until it is sent.
     /// - Each stream and each event action keeps its own copy of the flags.
     /// - Some flags may be set without a fault, for instance a receiver without a position fix.
     /// - Unnamed bits are reserved and must be ignored.

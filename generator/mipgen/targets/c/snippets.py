@@ -48,8 +48,11 @@ def data(f: m.Field) -> str:
         f'#include "mip/{module(f.set_name)}.h"',
         "",
         f"struct {field_name(f)} value;",
-        f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
+        f"const mip_error error = {field_name(f)}_decode(&value, &field);",
+        "if (error == MIP_OK) {",
         f"    /* {read or 'it holds nothing'} */",
+        "} else {",
+        "    /* mip_error_name(error) says why */",
         "}",
     ])  # fmt: skip
 

@@ -12,7 +12,6 @@ from typing import Any
 from jinja2 import pass_context
 from jinja2.runtime import Context
 
-from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
@@ -102,7 +101,6 @@ FILTERS: Filters = {
     "types_page": places.types_page,
     "comparison_page": places.comparison_page,
     "index_page": places.index_page,
-    "number": describe.number,
     "asked": fields.asked,
     "field_length": fields.field_length,
     "checksum_steps": fields.checksum_steps,
@@ -155,6 +153,7 @@ FILTERS_OF_PAGE: Filters = {
     "perhaps": devices.perhaps,
     "differing": devices.differing,
     "deprecated": devices.deprecated,
+    "limits": devices.limits,
     "remarks": devices.remarks,
     "devices": lambda page, _: devices.listed(page),
     "base_rates": devices.base_rates,
@@ -183,6 +182,7 @@ FILTERS_OF_PAGE: Filters = {
     "come": guides.come,
     "changes": guides.changes,
     "meanings": guides.meanings,
+    "refused": guides.refused,
     "added": guides.added,
     "fact_table": guides.fact_table,
     "see": guides.named,

@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from ... import describe
 from ... import model as m
-from .devices import base_rate
+from .devices import base_rate, limit
 from .offsets import layout
 from .places import Page, label
 from .text import code, hexadecimal, inline, table
@@ -148,12 +148,16 @@ def rates(page: Page) -> list[Section]:
     model = page.model
     ports = dict.fromkeys(p.name for d in compared(model) for p in d.ports)
     bauds = sorted({baud for d in compared(model) for p in d.ports for baud in p.baud_rates})
-    limits = dict.fromkeys(x.name for d in compared(model) for x in d.limits)
+    limits = dict[str, m.Limit]()
+    for x in (x for d in compared(model) for x in d.limits):
+        limits.setdefault(x.name, x)
     found = [
         _matrix(page, "Base rates", "Set", [s for s in model.sets if s.kind == "data"], page.link, _rate),
         _matrix(page, "Ports and their protocols", "Port", ports, inline, _port),
         _matrix(page, "Baud rates", "Baud rate", bauds, str, _baud),
-        _matrix(page, "Limits", "Limit", limits, lambda name: inline(name.replace("_", " ")), _limit),
+        _matrix(
+            page, "Limits", "Limit", limits.values(), lambda x: _named(page, x), lambda d, x: _limit(page, d, x.name)
+        ),
     ]
     return [s for s in found if s.table]
 
@@ -191,11 +195,16 @@ def _baud(d: m.Device, baud: int) -> str:
     return ", ".join(ports) or (missing(d) if d.ports else UNKNOWN)
 
 
-def _limit(d: m.Device, name: str) -> str:
+def _named(page: Page, limit: m.Limit) -> str:
+    """What a limit limits, and the name by which programs know it."""
+    return f"{page.prose(limit.description.rstrip('.'))} ({code(limit.name)})"
+
+
+def _limit(page: Page, d: m.Device, name: str) -> str:
     found = next((x for x in d.limits if x.name == name), None)
     if found is None:
         return UNKNOWN if d.incomplete else NOT_GIVEN
-    return describe.number(found.value) + (f" {inline(found.unit)}" if found.unit else "")
+    return limit(page, found)
 
 
 # --------------------------------------------------------------------------- the meaning of values

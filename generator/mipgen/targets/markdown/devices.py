@@ -88,6 +88,16 @@ def ports(d: m.Device) -> str:
     return table(rows, ["Port", "Id", "Baud rates", "Protocols"])
 
 
+def limit(page: Page, of: m.Limit) -> str:
+    """The value of a limit with its unit."""
+    return inline(describe.measured(describe.number(of.value), of.unit, page.model))
+
+
+def limits(page: Page, d: m.Device) -> str:
+    rows = [[page.prose(x.description.rstrip(".")), code(x.name), limit(page, x)] for x in d.limits]
+    return table(rows, ["Limit", "Name", "Value"]) if rows else ""
+
+
 def variants(page: Page, d: m.Device) -> str:
     """The parameters that mean something else on a device."""
     rows = []

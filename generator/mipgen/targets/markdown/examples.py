@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from ... import codec, descriptors
+from ... import codec, describe, descriptors
 from ... import model as m
 from ...checks import differences
 from .fields import on_page
@@ -203,13 +203,15 @@ def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
 
 def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
     units = next((v.units for v in _variants(p, around) if v.units), p.units)
-    symbols = ["" if u == "1" else u for u in units]
+    model = around.model
     shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
-    if isinstance(p.element, m.Vector) and len(p.element.elements) == len(shown) <= 4:
-        shown = [f"{name} {v}" for name, v in zip(p.element.elements, shown, strict=True)]
-    if len(symbols) == len(shown) > 1:
-        return inline(", ".join(f"{v} {u}".strip() for v, u in zip(shown, symbols, strict=True)))
-    return inline(f"{', '.join(shown)} {symbols[0] if symbols else ''}".strip())
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    elements = next((v.elements for v in _variants(p, around) if v.elements), own)
+    if len(elements) == len(shown) <= 4:
+        shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
+    if len(units) == len(shown) > 1:
+        return inline(", ".join(describe.measured(v, u, model) for v, u in zip(shown, units, strict=True)))
+    return inline(describe.measured(", ".join(shown), units[0] if units else None, model))
 
 
 def _printable(text: str) -> str:

@@ -101,7 +101,8 @@ ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
 
 def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device | None = None) -> list[str]:
     """A field in a list, with the functions that it takes there; of a device, with the responses that it sends."""
-    responses = page.model.answers(f, d.id) if d else page.model.responses(f)
+    asks = not f.functions or any(x.responds for x in functions)
+    responses = (page.model.answers(f, d.id) if d else page.model.responses(f)) if asks else ()
     marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
     return [
         code(hexadecimal(f.descriptor)),

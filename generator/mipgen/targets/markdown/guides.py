@@ -100,14 +100,14 @@ def _table(page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field
 
 
 def surely(step: Step) -> str:
-    """Which values of the response every device gives."""
+    """Which values of the response are sure, once the steps before it are done."""
     if step.response is None:
         return ""
     given = {p.name for p in step.response.field.parameters if not p.derived}
     sure = [code(name) for name in step.response.stated if name in given]
     if len(sure) == len(given):
-        return "The device always answers with these values."
-    return f"Always as here: {', '.join(sure)}." if sure else "The values are an example."
+        return "After these steps, the device answers with these values."
+    return f"Certain: {', '.join(sure)}. The rest is an example." if sure else "The values are an example."
 
 
 def streamed(page: Page, stream: Stream) -> str:
@@ -238,16 +238,37 @@ def meanings(page: Page, guide: Guide) -> str:
     """The parameters that both devices have, but that do not mean the same on both."""
     move = guide.migration
     assert move is not None
-    both = {s.field.full_name for s in move.before.certain} & {s.field.full_name for s in move.after.certain}
+    both = {f.full_name for f in _both(page, guide)}
     told = [{v.path: v for v in d.variants} for d in (move.before, move.after)]
     rows = []
     for path in dict.fromkeys([*told[0], *told[1]]):
         one = told[0].get(path) or told[1][path]
-        owner = next((x for x in page.model.commands(one.field)), one.field)
-        if owner.full_name in both and one.field.role != m.RESPONSE:
+        owners = [f"{x.full_name}.{one.parameter.name}" for x in page.model.commands(one.field)]
+        if one.field.full_name in both and not any(x in t for x in owners for t in told):  # a row tells of both
             said = [_reading(page, t.get(path), one) for t in told]
             rows.append([page.link(one.field), code(one.parameter.name), *said])
     return table(rows, ["Field", "Parameter", inline(move.before.title), inline(move.after.title)]) if rows else ""
+
+
+def _both(page: Page, guide: Guide) -> list[m.Field]:
+    """What both devices certainly have: commands, data, and responses that both send."""
+    assert guide.migration is not None
+    wanted = {guide.migration.before.id, guide.migration.after.id}
+    return [f for f in page.model.fields if wanted <= {d.id for d in page.model.devices_of(f)}]
+
+
+def refused(page: Page, guide: Guide) -> str:
+    """The commands of both devices, of which the new one takes fewer functions."""
+    move = guide.migration
+    assert move is not None
+    taken = [{s.field.full_name: s.functions for s in d.supports} for d in (move.before, move.after)]
+    rows = []
+    for f in _both(page, guide):
+        before, after = (t.get(f.full_name, ()) for t in taken)
+        lost = [x for x in before if x not in after]
+        if lost:
+            rows.append([page.link(f), ", ".join(f"{code(x.name)} ({x.value})" for x in lost)])
+    return table(rows, ["Command", "Functions"]) if rows else ""
 
 
 def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
@@ -258,10 +279,10 @@ def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> s
 
 
 def added(page: Page, guide: Guide) -> Iterator[str]:
-    """How many fields are new, set by set."""
+    """The fields that are new, set by set."""
     move = guide.migration
     assert move is not None
-    known = {s.field.full_name for s in move.before.supports} | {f.full_name for x in move.changes for f in x.by}
+    known = {s.field.full_name for s in move.before.supports}
     for s in page.model.sets:
         new: Sequence[m.Field] = [
             x.field for x in move.after.certain if x.field.set == s.number and x.field.full_name not in known

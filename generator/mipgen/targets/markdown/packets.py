@@ -43,9 +43,9 @@ def _bytes(size: str) -> str:
 
 
 def ready_packets(page: Page, f: m.Field) -> str:
-    """For each function a packet that can be sent as it is."""
+    """For each function that a device takes a packet that can be sent as it is."""
     rows = []
-    for c in f.calls:
+    for c in page.index.typical.sent(f):
         pieces = examples.said(page, f, page.index.typical.values(f, c))
         function = f"{code(c.function.name)} (0x{c.function.value:02X})" if c.function else ""
         given = ", ".join(f"{piece.name} = {piece.value}" for piece in pieces if piece.value)

@@ -189,6 +189,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: Record) -> Row:
     if v.member and isinstance(p.element, m.Struct):
         p = next(q for q in p.element.parameters if q.name == v.member)
     found: dict[str, object] = {
+        "elements": v.elements or None,
         "units": v.units or None,
         "frame": v.frame,
         "minimum": v.minimum,

@@ -107,6 +107,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # tables
         "ack_codes": rows.ack_codes,
         "decimal": tables.decimal,
+        "described": lambda f: tables.described(f.parameters),
         "groups": lambda _: rows.groups(),
         "hex": lambda n: f"0x{n:02X}",
         "layouts": rows.layouts,

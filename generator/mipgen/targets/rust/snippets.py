@@ -47,7 +47,8 @@ class Snippets:
     def data(self, f: m.Field) -> str:
         """Takes it from a packet."""
         read = next((f"value.{x.name}" for x in self.records.members(f)), "value")
-        return _uses(f'if let Some(Ok(value)) = packet.find::<{_name(f)}>() {{\n    println!("{{:?}}", {read});\n}}')
+        found = f"packet.find::<{_name(f)}>().transpose()?"  # a broken one is an error, as a refused command is
+        return _uses(f'if let Some(value) = {found} {{\n    println!("{{:?}}", {read});\n}}')
 
     def _value(self, p: m.Parameter, value: Any, record: Record, op: m.Operation | None = None) -> str:
         """A value of a parameter, or of an item of its array."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ... import model as m
@@ -45,6 +46,35 @@ class Group:
     fields: tuple[m.Field, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Described:
+    """A value as the registry describes it."""
+
+    name: str
+    elements: tuple[str, ...]
+    units: tuple[str, ...]
+    frame: str | None
+    members: tuple[Described, ...]  # of a structure; the alternatives of a union
+
+
+def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
+    """Those that types hold: whatever does not follow from others."""
+    return tuple(
+        Described(
+            p.name, p.element.elements if isinstance(p.element, m.Vector) else (), p.units, p.frame,
+            described(_inside(p)),
+        )
+        for p in parameters
+        if not p.derived
+    )  # fmt: skip
+
+
+def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
+    if isinstance(p.element, m.Struct):
+        return p.element.parameters
+    return (c.parameter for c in p.cases if c.parameter)
+
+
 class Tables:
     def __init__(self, model: m.Model) -> None:
         self.model = model
@@ -52,11 +82,11 @@ class Tables:
     def groups(self) -> list[Group]:
         """All fields as the registry looks for them: by set, those that many sets may hold last."""
         ack = self.model.protocol.acknowledge
-        found = [Group("all()", self.set_range(ack), (ack,))]
+        found = []
         for s in sorted(self.model.sets, key=lambda s: s.number):
             if s.fields:
                 found.append(Group(f'feature = "{feature(s)}"', self.set_range(s.fields[0]), s.fields))
-        return found
+        return [*found, Group("all()", self.set_range(ack), (ack,))]
 
     def set_range(self, f: m.Field) -> tuple[int, int]:
         """The sets whose packets can hold the field."""

@@ -206,8 +206,11 @@ function cProgram(names, field, calls) {
             `#include "${header}.h"`,
             "",
             `struct ${type} value;`,
-            `if (${type}_decode(&value, &field) == MIP_OK) {`,
+            `const mip_error error = ${type}_decode(&value, &field);`,
+            "if (error == MIP_OK) {",
             `    /* ${read || "it holds nothing"} */`,
+            "} else {",
+            "    /* mip_error_name(error) says why */",
             "}",
         ].join("\n");
     }
@@ -422,7 +425,8 @@ function rustProgram(names, field, calls) {
     if (!calls) {
         const first = field.parameters.find((one) => !isDerived(one));
         const read = first ? `value.${names.member(first.name)}` : "value";
-        return rustUses(`if let Some(Ok(value)) = packet.find::<${names.type(field)}>() {\n    println!("{:?}", ${read});\n}`);
+        const found = `packet.find::<${names.type(field)}>().transpose()?`; // a broken one is an error, as a refused command is
+        return rustUses(`if let Some(value) = ${found} {\n    println!("{:?}", ${read});\n}`);
     }
     const lines = [];
     for (const values of calls) {

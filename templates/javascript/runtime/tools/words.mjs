@@ -61,16 +61,15 @@ export function hexLiteral(value, size = 0) {
         .padStart(2 * size, "0")}`;
 }
 
-/** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
-export function pathText(protocol, parameters, path) {
+/** The path of a value: "descriptors[0].rate"; elements of vectors have names, if the last parameter has them. */
+export function pathText(parameters, path) {
     let text = "";
     let next = 0;
     let items; // of the last parameter: its length, and the names of its elements
     for (const step of path) {
         if (typeof step !== "number") {
             const { parameter } = parameters[next++] ?? {};
-            const type = protocol.types.get(parameter?.type);
-            items = { array: parameter?.length !== undefined, elements: type?.kind === "vector" ? type.elements : undefined };
+            items = { array: parameter?.length !== undefined, elements: parameter?.elements };
             text += text ? `.${step}` : step;
         } else if (items.elements && !items.array) {
             text += `.${items.elements[step]}`;

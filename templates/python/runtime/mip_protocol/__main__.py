@@ -107,15 +107,17 @@ def _run(given: list[str]) -> int:
             used = added
             given = getattr(chosen, "shielded", list)(given)
     options, unknown = parser.parse_known_args(given)
+    if unknown and chosen is not None:  # words behind an option, which argparse does not expect
+        options, unknown = used.parse_known_intermixed_args(given[1:])
     if unknown:
         used.error(f"{' '.join(unknown)} is not recognized; see --help")
-    if options.command is None:
+    if chosen is None:
         parser.print_help()
         return 0
     try:
         return int(chosen.run(options))
     except Failure as failure:
-        print(f"mip {options.command}: {failure}", file=sys.stderr)
+        print(f"{used.prog}: {failure}", file=sys.stderr)
         return failure.status
 
 

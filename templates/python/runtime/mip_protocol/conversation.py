@@ -14,6 +14,7 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar, cast
 
+from ._clocks import CLOCKS
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
 from .errors import NoAnswer, Refused
 from .field import Command, Field, R, Response
@@ -53,6 +54,19 @@ class Arrival:
         """The fields of this type, in order: some messages have one for each satellite, say. Raises
         DecodeError when it comes to a field that cannot be decoded."""
         return kind.find_all(self.packet)
+
+    def device_time(self, clock: str = "gps") -> int | None:
+        """The time in the packet, in nanoseconds, by a clock of the device; None if the packet has none
+        or if it is not valid.
+
+        `clock`: "gps" is UTC, since 1970; "external" and "reference" are since their start. See
+        `timestamps.time_of` for the time in a field.
+        """
+        from .timestamps import moments
+
+        if clock not in CLOCKS:
+            raise ValueError(f"{clock!r} is not a clock; one of {', '.join(CLOCKS)} is")
+        return moments(self.packet).get(clock)
 
     def decode(self) -> list[Field | RawField]:
         """All fields of the packet, as `registry.decode_packet` gives them."""

@@ -67,7 +67,7 @@ pub enum EncodeErrorKind {
     /// A value is `None` although the function requires it or a later value is present: the number
     /// of values that belong together, and of those that are present.
     Missing,
-    /// There are more elements than a list or their counter can hold: the number of elements, and
+    /// There are more elements than a list or their counter can hold: the number of those given, and
     /// the maximum.
     Count,
     /// A union does not contain the member that its tag selects.
@@ -163,7 +163,7 @@ impl fmt::Display for EncodeError {
         }
         match kind {
             EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are present"),
-            EncodeErrorKind::Count => write!(f, "there are {need} elements, {got} fit"),
+            EncodeErrorKind::Count => write!(f, "{need} elements were given, {got} fit"),
             EncodeErrorKind::Tag => write!(f, "{kind}"),
             EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),
             EncodeErrorKind::Set => match (need, got) {

@@ -741,7 +741,7 @@ types:
       - id: drive
         type: u1
         enum: tools_drive
-        doc: What drives it.
+        doc: What drives it now.
       - id: use_value
         -orig-id: use
         type: u1

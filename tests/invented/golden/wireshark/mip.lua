@@ -271,7 +271,7 @@ field(0x01, { descriptor = 0x8B, name = "tools.pin_response", role = "response",
     doc = "", least = 2,
     always = 2,
     rows = rows("tools.pin_response", {
-      { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What drives it." },
+      { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What drives it now." },
       { kind = "scalar", name = "use", type = "u8", size = 1, doc = "How it is used. If drive is pulse: values of pulse_use. If drive is serial: values of serial_use.", readings = { {by = "drive", value = 1, enum = E["tools.pulse_use"] }, {by = "drive", value = 2, enum = E["tools.serial_use"] }, } },
     }) })
 field(0x01, { descriptor = 0x8C, name = "tools.hello_response", role = "response", title = "Hello response",

@@ -90,7 +90,7 @@ struct mip_names {
     /** Of a bitfield: its flags and numbers. */
     const struct mip_named_bits *bits;
     /** How many values or bits there are. */
-    uint8_t count;
+    uint16_t count;
     /** Bytes of the number. */
     uint8_t size;
 };
@@ -149,7 +149,7 @@ struct mip_parameter {
     /** For unions. */
     const struct mip_case *cases;
     /** Elements of `readings` or of `cases`. */
-    uint8_t count;
+    uint16_t count;
 };
 
 /** One alternative of a union; `parameter` is NULL if it is empty. */

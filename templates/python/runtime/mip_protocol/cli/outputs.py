@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO
+from typing import IO, TextIO
 
 from ..errors import Failure, Misuse
+from . import signals
+
+#: Bytes in a name that every usual file system takes.
+_LONGEST = 255
 
 
 @contextmanager
@@ -20,11 +26,11 @@ def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[by
     After an interrupt or an error nothing is left, unless the written part is to be kept. Raises Failure, also if a
     file that is not to be replaced has appeared meanwhile; the part is then kept.
     """
-    if name == "-":
+    if name == "-" or _is_output(name):
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
-    with whole_path(name, keep, replace) as part:
+    with _whole_path(name, keep, replace) as part:
         try:
             file = open(part, "wb")
         except OSError as error:
@@ -34,33 +40,81 @@ def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[by
 
 
 @contextmanager
-def whole_path(name: str, keep: bool = False, replace: bool = True) -> Iterator[Path]:
+def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
     """A path beside a file, which replaces the file at the end. Raises Failure."""
-    path = Path(name)
-    if path.is_dir():
-        raise Failure(f"{name} is a folder; name a file in it")
-    if path.exists() and not path.is_file():  # such as /dev/null, which must not be replaced
+    path, special = _target(name)
+    if special:
         try:
             yield path
         except OSError as error:
             raise _failed(name, error) from None
         return
-    number = os.getpid()
-    while (part := path.with_name(f"{path.name}.{number}.part")).exists():
-        number += 1  # kept by a program that was killed; numbers of processes repeat
+    part = _beside(path)
+    held = signals.Held()  # so that no interrupt comes while files get or lose their names
+    with signals.handled(held):
+        try:
+            held.open = True
+            yield part
+            held.open = False
+        except BaseException as error:
+            held.open = False
+            # An interrupt at the very end of the caller's `with` arrives here as GeneratorExit.
+            ended = isinstance(error, (KeyboardInterrupt, GeneratorExit, OSError))
+            keeps = keep and ended and holds_bytes(part)
+            if keeps:
+                _rename(part, path, name, keep, replace)
+            else:
+                with suppress(OSError):
+                    part.unlink()
+            if isinstance(error, OSError):
+                more = "; what came before is kept" if keeps else ""
+                raise _failed(name, error, more) from None
+            raise
+        _rename(part, path, name, keep, replace)
+    if held.waits:
+        raise KeyboardInterrupt
+
+
+def _is_output(name: str) -> bool:
+    """Is it what standard output leads to, such as /dev/stdout?"""
     try:
-        yield part
-    except BaseException as error:
-        keeps = keep and isinstance(error, (KeyboardInterrupt, OSError)) and holds_bytes(part)
-        if keeps:
-            _rename(part, path, keep, replace)
-        else:
-            with suppress(OSError):
-                part.unlink()
-        if isinstance(error, OSError):
-            raise _failed(name, error, "; what came before is kept" if keeps else "") from None
-        raise
-    _rename(part, path, keep, replace)
+        return os.path.samestat(os.stat(name), os.fstat(sys.stdout.fileno()))
+    except (OSError, ValueError):  # there is no such file yet, or standard output is no file
+        return False
+
+
+def _target(name: str) -> tuple[Path, bool]:
+    """The file itself if the name is a link to it. Is it special, such as /dev/null, which must not be replaced?
+
+    Raises Failure.
+    """
+    if not name:
+        raise Misuse("the name of the output is empty")
+    try:
+        mode = os.stat(name).st_mode
+        if not os.access(name, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    except FileNotFoundError:
+        mode = stat.S_IFREG
+    except OSError as error:  # such as a name that is too long
+        raise _failed(name, error) from None
+    if stat.S_ISDIR(mode) or name.endswith(os.sep):
+        raise Failure(f"{name} is a folder; name a file in it")
+    special = not stat.S_ISREG(mode)
+    return Path(name if special else os.path.realpath(name)), special
+
+
+def _beside(path: Path) -> Path:
+    """A name for the part, which is not too long where that of the file is not."""
+    number = os.getpid()
+    while True:
+        end, begin = f".{number}.part", path.name
+        while len(os.fsencode(begin + end)) > _LONGEST:
+            begin = begin[:-1]
+        part = path.with_name(begin + end)
+        if not part.exists():
+            return part
+        number += 1  # kept by a program that was killed; numbers of processes repeat
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:
@@ -70,17 +124,19 @@ def _failed(name: str, error: OSError, more: str = "") -> Exception:
     return Failure(f"{name} cannot be written: {error.strerror or error}{more}")
 
 
-def _rename(part: Path, path: Path, keep: bool, replace: bool) -> None:
+def _rename(part: Path, path: Path, name: str, keep: bool, replace: bool) -> None:
     if not replace and holds_bytes(path):
-        raise Failure(f"{path} has appeared meanwhile; the bytes are in {part}")
+        raise Failure(f"{name} has appeared meanwhile; the bytes are in {part}")
     try:
+        with suppress(OSError):  # there is no older file, or the file system has no permissions
+            shutil.copymode(path, part)
         os.replace(part, path)
     except OSError as error:
         if keep:
-            raise _failed(str(path), error, f"; the bytes are in {part}") from None
+            raise _failed(name, error, f"; the bytes are in {part}") from None
         with suppress(OSError):
             part.unlink()
-        raise _failed(str(path), error) from None
+        raise _failed(name, error) from None
 
 
 def holds_bytes(path: str | Path) -> bool:
@@ -100,10 +156,22 @@ def refuse_input(output: str, source: str) -> None:
         raise Misuse(f"{name} is the log itself; name another file")
 
 
+def redraws(stream: TextIO) -> bool:
+    """Is it a terminal on which text can be replaced?"""
+    return stream.isatty() and os.environ.get("TERM", "dumb") not in ("", "dumb")
+
+
+def progress(text: str) -> None:
+    """Replaces the line about the progress on standard error; empty removes it."""
+    if redraws(sys.stderr):
+        sys.stderr.write(f"\r\x1b[K{text}")
+        sys.stderr.flush()
+
+
 def note(text: str) -> None:
     """Reports what was done, only on a terminal."""
     if sys.stderr.isatty():
         print(text, file=sys.stderr)
 
 
-__all__ = ["holds_bytes", "note", "refuse_input", "whole", "whole_path"]
+__all__ = ["holds_bytes", "note", "progress", "redraws", "refuse_input", "whole"]

@@ -146,7 +146,8 @@ def _curves(name: str) -> list[Curve]:
     element = path[1] if len(path) > 1 else ""
     if element and element not in p.elements:
         has = f"it has {', '.join(p.elements)}" if p.elements else "it is one number"
-        raise Misuse(f"{'.'.join((kind.NAME, *path[:-1]))} has no element '{element}'; {has}")
+        whole = _title(Curve(kind, p, p.attribute, ""))
+        raise Misuse(f"{whole} has no element '{element}'; {has}")
     return [Curve(kind, p, p.attribute, element)]
 
 

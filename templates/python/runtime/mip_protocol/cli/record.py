@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from typing import IO
 
 from ..errors import Failure
-from . import inputs, outputs, ports
+from . import inputs, outputs, ports, signals
 from .arguments import positive, seconds
 from .scan import Scanner
 
@@ -47,7 +46,10 @@ def run(options: argparse.Namespace) -> int:
         raise Failure(f"{options.output} exists; name another file, or replace it with --force")
     recording = _Recording(options)
     closed = False
-    with ports.stopping(), outputs.whole(options.output, keep=True, replace=options.force) as out:
+    with (
+        signals.handled(signals.interrupt),
+        outputs.whole(options.output, keep=True, replace=options.force) as out,
+    ):
         try:
             recording.write(out)
         except KeyboardInterrupt:  # the usual way to end it
@@ -55,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
         except ports.Lost:
             closed = True
         finally:
-            recording.clear()
+            outputs.progress("")
         if not recording.size:
             what = "was closed before it sent anything" if closed else "has sent nothing"
             kept = f"; {options.output} is as it was" if old else ""
@@ -105,13 +107,6 @@ class _Recording:
 
     def _show(self) -> None:
         now = time.monotonic()
-        if sys.stderr.isatty() and now - self._shown > 0.5:
+        if now - self._shown > 0.5:
             self._shown = now
-            sys.stderr.write(f"\r\x1b[K{self.status()}")
-            sys.stderr.flush()
-
-    def clear(self) -> None:
-        """Removes the progress from the terminal."""
-        if sys.stderr.isatty():
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()
+            outputs.progress(self.status())

@@ -25,12 +25,8 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
     function = getattr(command, "function", None) if command.REQUIRED else None
     required = 0 if function is None else command.REQUIRED.get(function, 0)
     for number, p in enumerate(reflection.PARAMETERS[type(command)]):
-        value = getattr(command, p.attribute, None)
-        if (
-            p.kind in ("constant", "counter")
-            or value is None
-            or (command.REQUIRED and p.name == "function")
-        ):
+        value = _value(p, command)
+        if value is None or (command.REQUIRED and p.name == "function"):
             continue
         if p.attribute in keys and meaning_all(command, p.attribute, value, function):
             continue
@@ -40,6 +36,14 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
                 p, value, command, differs.get(path, SAME), profile.readings.get(path), profile
             )
     _instances(command, profile, function)
+
+
+def _value(p: Parameter, record: Structure) -> Any:
+    """The value of a parameter; None if it has none, or always the same."""
+    if p.counts:
+        counted = getattr(record, p.counts)
+        return None if counted is None else len(counted)
+    return None if p.kind == "constant" else getattr(record, p.attribute)
 
 
 def meaning_all(command: Command, name: str, value: Any, function: int | None) -> bool:
@@ -93,8 +97,9 @@ def _one(
 ) -> None:
     if isinstance(value, Structure):
         for member in reflection.PARAMETERS[type(value)]:
-            if member.kind not in ("constant", "counter"):
-                _parameter(member, getattr(value, member.attribute), value, SAME, None, profile)
+            held = _value(member, value)
+            if held is not None:
+                _parameter(member, held, value, SAME, None, profile)
         return
     if isinstance(value, tuple):
         least, most = p.magnitude

@@ -212,6 +212,8 @@ def _trigger(device: VirtualDevice, call: Call) -> Outcome:
     if call.writes:
         if call.values["set"] is not None and not events.can_watch(device, call.values):
             raise Refused(INVALID_PARAMETER)
+        if not knowledge.has_room(device, "trigger", call.values):
+            raise Refused(COMMAND_FAILED)
         device.disable_trigger(call.values["instance"])
     return Outcome(after=device.events.arrange)
 
@@ -223,6 +225,8 @@ def _action(device: VirtualDevice, call: Call) -> Outcome:
         known = set in data_sets(device.profile)
         if not known or not all(device.sends(set, x) for x in call.values["fields"]):
             raise Refused(INVALID_PARAMETER)
+    if call.writes and not knowledge.has_room(device, "action", call.values):
+        raise Refused(COMMAND_FAILED)
     return Outcome(after=device.events.arrange)
 
 
@@ -243,9 +247,9 @@ def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
 
 def _pin(device: VirtualDevice, call: Call) -> Outcome:
     """A pin that becomes an output has the level of its behavior; with a pull-up, an input is high."""
-    feature, behavior, pin = call.values["feature"], call.values["behavior"], call.values["pin"]
-    if feature == 1 and behavior in (2, 3):
-        device.world.pins[pin] = behavior == 3
+    pin, behavior = call.values["pin"], call.values["behavior"].name
+    if call.values["feature"].name == "GPIO" and behavior in ("OUTPUT_LOW", "OUTPUT_HIGH"):
+        device.world.pins[pin] = behavior == "OUTPUT_HIGH"
     else:
         device.world.pins.pop(pin, None)
     options = call.values["options"]

@@ -71,6 +71,15 @@ TRIGGER_LIMITS = {
 ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
 
 
+def has_room(device: VirtualDevice, effect: str, given: Context) -> bool:
+    """May one more trigger or action be of this type, in a slot that may have had another one?"""
+    names = TRIGGER_LIMITS if effect == "trigger" else ACTION_LIMITS
+    most = device.profile.limits.get(names.get(given["type"], ""))
+    others = _configured(device, effect)
+    others.pop(given["instance"], None)
+    return most is None or sum(x["type"] == given["type"] for x in others.values()) < most.value
+
+
 def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]:
     return context["instances"] or range(1, _slots(device, limit) + 1)
 
@@ -170,4 +179,4 @@ QUANTITIES: dict[str, Quantity] = {
     "receiver.list": _receivers,
 }
 
-__all__ = ["QUANTITIES", "descriptors", "sentence", "trigger_type"]
+__all__ = ["QUANTITIES", "descriptors", "has_room", "sentence", "trigger_type"]

@@ -9,7 +9,7 @@ macro_rules! registry {
                 $(#[$meta:meta])*
                 $variant:ident($type:ty):
                 $role:ident $set:literal, $descriptor:literal, of $layouts:literal,
-                $name:literal, $title:literal, [$($linked:literal),*];
+                $name:literal, $title:literal, [$($linked:literal),*], { $($parameters:tt)* };
             )*
         }
     )*) => {
@@ -17,6 +17,13 @@ macro_rules! registry {
         pub static FIELDS: &[FieldInfo] = &[$($(
             #[cfg($when)]
             <$type as Listed>::INFO,
+        )*)*];
+
+        /// Those of their values, in the same order: apart, so that only a program that asks for
+        /// them contains them.
+        pub(super) static PARAMETERS: &[&[ParameterInfo]] = &[$($(
+            #[cfg($when)]
+            <$type as Listed>::PARAMETERS,
         )*)*];
 
         /// A field of any type.
@@ -56,6 +63,8 @@ macro_rules! registry {
                     linked: &[$($linked),*],
                     sets: ($first, $last),
                 };
+
+                const PARAMETERS: &'static [ParameterInfo] = parameters! { $($parameters)* };
             }
 
             #[cfg($when)]
@@ -159,6 +168,34 @@ macro_rules! registry {
                 }
             }
         }
+    };
+}
+
+/// The descriptions of values: name, elements, units, frame, and what is inside.
+macro_rules! parameters {
+    ($(
+        $name:literal
+        $(: [$($element:literal)*])?
+        $(in [$($unit:literal)*])?
+        $(of $frame:literal)?
+        $({ $($members:tt)* })?;
+    )*) => {
+        &[$(ParameterInfo {
+            name: $name,
+            elements: &[$($($element),*)?],
+            units: &[$($($unit),*)?],
+            frame: optional!($($frame)?),
+            members: parameters! { $($($members)*)? },
+        }),*]
+    };
+}
+
+macro_rules! optional {
+    () => {
+        None
+    };
+    ($value:literal) => {
+        Some($value)
     };
 }
 

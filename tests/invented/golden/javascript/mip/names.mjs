@@ -43,10 +43,20 @@ export function valueAt(values, path) {
  * device; `siblings` are the values beside it, `device` the id of the device or undefined.
  */
 export function namedType(protocol, parameter, siblings = {}, device = undefined) {
-    const variant = (parameter.variants ?? []).find(
-        (one) => one.type && !one.member && (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
-    );
-    return protocol.types.get(variant?.type ?? parameter.type);
+    return protocol.types.get(differing(parameter, siblings, device, "type") ?? parameter.type);
+}
+
+/** The same for the units of a parameter, and the elements of a vector. */
+export function measuredHere(protocol, parameter, siblings = {}, device = undefined) {
+    const own = { units: parameter.units, elements: protocol.types.get(parameter.type)?.elements };
+    const found = Object.keys(own).map((key) => [key, differing(parameter, siblings, device, key) ?? own[key]]);
+    return { ...parameter, ...Object.fromEntries(found) };
+}
+
+/** An attribute of a parameter, if it is another one beside these values or on the device. */
+function differing(parameter, siblings, device, attribute) {
+    const holds = (one) => (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by]));
+    return (parameter.variants ?? []).find((one) => one[attribute] && !one.member && holds(one))?.[attribute];
 }
 
 /** The value of an enumeration with this number, if it has a name. */

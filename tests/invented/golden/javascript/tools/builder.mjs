@@ -1,7 +1,7 @@
 // The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
 import { MipError, toHex } from "../mip/bytes.mjs";
-import { bitsNumber, enumValue, maskOf, namedType, parameterOf, unitOf } from "../mip/names.mjs";
+import { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "../mip/names.mjs";
 import { Packet } from "../mip/packet.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
 import {
@@ -279,8 +279,8 @@ function select(options, value, set) {
 /** The inputs of one operation; they change `values` of the context. */
 function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
-    const { protocol, record, values, events } = context;
-    const parameter = parameterOf(record, op.member) ?? { name: op.member };
+    const { protocol, record, values, events, device } = context;
+    const parameter = measuredHere(protocol, parameterOf(record, op.member) ?? { name: op.member }, values, device);
     const name = op.member;
     const set = (value) => {
         values[name] = value;
@@ -476,7 +476,7 @@ function arrayInput(context, op, parameter, hint) {
     const { protocol, values, events } = context;
     const items = values[op.member];
     const record = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
-    const names = protocol.types.get(op.vector)?.elements;
+    const names = op.vector && parameter.elements;
     const rows = items.map((_, i) => {
         const holder = {
             get [op.item.member]() {
@@ -486,7 +486,8 @@ function arrayInput(context, op, parameter, hint) {
                 items[i] = value;
             },
         };
-        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
+        const variants = parameter.variants?.filter((one) => one.type); // units are those of the element already
+        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)], variants };
         if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
         const [control] = input(
             { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },

@@ -187,7 +187,11 @@ class Field(Structure):
 
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
-        """The first field of this type in a packet, if there is one."""
+        """The first field of this type in a packet, if there is one.
+
+        Raises DecodeError if it cannot be decoded, or if the packet ends within a field before it
+        is found.
+        """
         shared = cls.SET == 0xFF and packet.set >= 0x80
         ack = cls.SET == 0 and packet.set < 0x80
         if packet.set == cls.SET or shared or ack:

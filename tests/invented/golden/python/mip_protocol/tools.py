@@ -568,7 +568,7 @@ class PinResponse(Response):
     _LAYOUT = (("drive", "B", Drive), ("use", "B", None))
 
     drive: Drive
-    """What drives it."""
+    """What drives it now."""
     use: int
     """How it is used.
 

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use crate::codec::Writer;
 use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
 use crate::field::{Command, RawField, Response, ResponseCheck};
-use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_FIELD_DATA};
+use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
 use crate::registry::AnyField;
@@ -308,9 +308,8 @@ pub struct Event {
     pub descriptor: u8,
     /// The result.
     pub outcome: Outcome,
-    response: Option<u8>,
-    length: u8,
-    data: [u8; MAX_FIELD_DATA],
+    /// A payload that begins with it; without one, zeros.
+    response: [u8; MAX_PAYLOAD],
 }
 
 impl Event {
@@ -319,23 +318,18 @@ impl Event {
         set: 0,
         descriptor: 0,
         outcome: Outcome::Acknowledged,
-        response: None,
-        length: 0,
-        data: [0; MAX_FIELD_DATA],
+        response: [0; MAX_PAYLOAD],
     };
 
     /// The undecoded response.
     #[must_use]
     pub fn response(&self) -> Option<RawField<'_>> {
-        let data = self.data.get(..self.length.into())?;
-        Some(RawField { set: self.set, descriptor: self.response?, data })
+        Fields::new(self.set, &self.response).sound()
     }
 
-    /// Keeps a response.
-    fn keep(&mut self, field: &RawField<'_>) {
-        self.response = Some(field.descriptor);
-        self.length = field.data.len() as u8;
-        self.data.iter_mut().zip(field.data).for_each(|(place, byte)| *place = *byte);
+    /// Keeps a response: the first of these fields.
+    fn keep(&mut self, fields: &Fields<'_>) {
+        self.response.iter_mut().zip(fields.payload()).for_each(|(place, byte)| *place = *byte);
     }
 
     /// The answer, if the event belongs to this ticket.
@@ -613,7 +607,7 @@ impl Slots {
             slot.deadline = timeout_ms.max(kind.timeout_ms);
             let event = &mut slot.event;
             (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
-            event.response = None;
+            event.response[0] = 0;
             slot.state.set(State::Added);
             if let Some(now_ms) = sent_ms {
                 slot.sent(now_ms);
@@ -625,12 +619,14 @@ impl Slots {
     /// Looks for answers, and keeps which fields are part of one.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
-        let (mut at, mut is_response) = (0, false);
+        let (mut at, mut left) = (0, 0);
         while let Some(field) = fields.sound() {
-            let found = if is_response { Some(false) } else { self.answers(&field, &fields) };
-            if let Some(whole) = found {
+            if left == 0 {
+                left = self.answers(&field, &fields);
+            }
+            if left > 0 {
                 self.take_field(at);
-                is_response = whole;
+                left = left.wrapping_sub(1);
             }
             at = at.wrapping_add(1);
         }
@@ -647,11 +643,11 @@ impl Slots {
     ///
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
-    fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> Option<bool> {
+    fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
         // Not decoded as a whole, which is 100 bytes of code.
         let (command, code) = match *field.data {
             [command, code, ..] if field.is::<Acknowledge>() => (command, AckCode(code)),
-            _ => return None,
+            _ => return 0,
         };
         let behind = rest.clone().sound();
         let (mut best, mut found) = ((false, 0), None);
@@ -659,22 +655,22 @@ impl Slots {
             let Some(outcome) = slot.outcome(field.set, command, code, behind.as_ref()) else {
                 continue;
             };
-            slot.event.outcome = outcome; // in case that it is this one
             let rank = (outcome != Outcome::MissingResponse, self.next.wrapping_sub(slot.event.id));
             if rank > best {
-                (best, found) = (rank, Some(slot));
+                (best, found) = (rank, Some((slot, outcome)));
             }
         }
-        let slot = found?;
-        let whole = matches!(slot.event.outcome, Outcome::Acknowledged | Outcome::Undecodable);
-        let response = behind.filter(|_| whole && slot.wanted.is_some());
-        if let Some(field) = response {
-            slot.event.keep(&field);
+        let Some((slot, outcome)) = found else { return 0 };
+        slot.event.outcome = outcome;
+        let checked = matches!(outcome, Outcome::Acknowledged | Outcome::Undecodable);
+        let has_response = checked && slot.wanted.is_some();
+        if has_response {
+            slot.event.keep(rest);
         }
         let order = self.happened;
         self.happened = order.wrapping_add(1);
         slot.happens(order);
-        Some(response.is_some())
+        1_u8.wrapping_add(has_response.into())
     }
 
     /// The command with this number, if its event has happened.
@@ -690,19 +686,21 @@ impl Slots {
     }
 
     fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
-        let late = self.waiting().any(|slot| has_passed(slot.deadline, now_ms));
-        let found = parser.held_back(late);
-        if late && found.is_none() {
-            let order = self.happened; // all at once: in the order of the commands
-            self.happened = order.wrapping_add(1);
-            for slot in &mut self.slots {
-                if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
-                    slot.event.outcome = Outcome::TimedOut;
-                    slot.happens(order);
+        if parser.holds() {
+            return Some(parser.packet());
+        }
+        let order = self.happened; // all at once: in the order of the commands
+        for slot in &mut self.slots {
+            if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
+                if parser.holds_behind() {
+                    return Some(parser.packet());
                 }
+                self.happened = order.wrapping_add(1);
+                slot.event.outcome = Outcome::TimedOut;
+                slot.happens(order);
             }
         }
-        found
+        None
     }
 
     /// The event that happened first, of those that have not been taken; it is taken.
@@ -739,15 +737,16 @@ impl Slot {
         }
         // `contains` is 180 bytes of code on a microcontroller.
         #[allow(clippy::manual_contains)]
-        let response =
-            behind.filter(|field| kind.responses.iter().any(|known| *known == field.descriptor));
-        match (self.wanted, response) {
-            (None, None) => Some(Outcome::Acknowledged),
-            (None, Some(_)) => None,
-            (Some(_), None) => Some(Outcome::MissingResponse),
-            (Some(check), Some(field)) => {
-                check(field).map(|ok| if ok { Outcome::Acknowledged } else { Outcome::Undecodable })
+        let responds = behind
+            .map_or(false, |field| kind.responses.iter().any(|known| *known == field.descriptor));
+        match self.wanted {
+            Some(check) if responds => {
+                check(behind?)
+                    .map(|ok| if ok { Outcome::Acknowledged } else { Outcome::Undecodable })
             }
+            None if responds => None,
+            Some(_) => Some(Outcome::MissingResponse),
+            None => Some(Outcome::Acknowledged),
         }
     }
 

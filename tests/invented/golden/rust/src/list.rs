@@ -61,7 +61,7 @@ impl<T> Item for Option<T> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct CapacityError {
-    /// The number of items.
+    /// The number of items given; one more than fit, if the rest was not counted.
     pub need: usize,
     /// The number of items that the list can hold.
     pub got: usize,
@@ -69,7 +69,7 @@ pub struct CapacityError {
 
 impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "there are {} items, the list can hold {}", self.need, self.got)
+        write!(f, "{} items were given, the list can hold {}", self.need, self.got)
     }
 }
 

@@ -1452,7 +1452,7 @@ static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *com
  * - guide: Pin
  */
 struct mip_tools_pin_response {
-    /** What drives it. A value of enum mip_tools_drive. */
+    /** What drives it now. A value of enum mip_tools_drive. */
     uint8_t drive;
     /**
      * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum mip_tools_pulse. If drive

@@ -858,10 +858,20 @@ function valueAt(values, path) {
  * device; `siblings` are the values beside it, `device` the id of the device or undefined.
  */
 function namedType(protocol, parameter, siblings = {}, device = undefined) {
-    const variant = (parameter.variants ?? []).find(
-        (one) => one.type && !one.member && (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by])),
-    );
-    return protocol.types.get(variant?.type ?? parameter.type);
+    return protocol.types.get(differing(parameter, siblings, device, "type") ?? parameter.type);
+}
+
+/** The same for the units of a parameter, and the elements of a vector. */
+function measuredHere(protocol, parameter, siblings = {}, device = undefined) {
+    const own = { units: parameter.units, elements: protocol.types.get(parameter.type)?.elements };
+    const found = Object.keys(own).map((key) => [key, differing(parameter, siblings, device, key) ?? own[key]]);
+    return { ...parameter, ...Object.fromEntries(found) };
+}
+
+/** An attribute of a parameter, if it is another one beside these values or on the device. */
+function differing(parameter, siblings, device, attribute) {
+    const holds = (one) => (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by]));
+    return (parameter.variants ?? []).find((one) => one[attribute] && !one.member && holds(one))?.[attribute];
 }
 
 /** The value of an enumeration with this number, if it has a name. */
@@ -901,7 +911,7 @@ function unitOf(parameter, index = 0) {
     return unit === "1" ? "" : (unit ?? "");
 }
 
-return { parameterOf, parametersAt, valueAt, namedType, enumValue, bitsNumber, maskOf, bitsOf, unitOf };
+return { parameterOf, parametersAt, valueAt, namedType, measuredHere, enumValue, bitsNumber, maskOf, bitsOf, unitOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/index.mjs
@@ -1073,16 +1083,15 @@ function hexLiteral(value, size = 0) {
         .padStart(2 * size, "0")}`;
 }
 
-/** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
-function pathText(protocol, parameters, path) {
+/** The path of a value: "descriptors[0].rate"; elements of vectors have names, if the last parameter has them. */
+function pathText(parameters, path) {
     let text = "";
     let next = 0;
     let items; // of the last parameter: its length, and the names of its elements
     for (const step of path) {
         if (typeof step !== "number") {
             const { parameter } = parameters[next++] ?? {};
-            const type = protocol.types.get(parameter?.type);
-            items = { array: parameter?.length !== undefined, elements: type?.kind === "vector" ? type.elements : undefined };
+            items = { array: parameter?.length !== undefined, elements: parameter?.elements };
             text += text ? `.${step}` : step;
         } else if (items.elements && !items.array) {
             text += `.${items.elements[step]}`;
@@ -1158,7 +1167,7 @@ modules["tools/inspect"] = (() => {
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
 const { MipError, fromHex, sameBytes } = modules["mip/bytes"];
-const { namedType, parametersAt, valueAt } = modules["mip/names"];
+const { measuredHere, namedType, parametersAt, valueAt } = modules["mip/names"];
 const { Packet } = modules["mip/packet"];
 const { segments } = modules["mip/parser"];
 const { bytesOfText } = modules["tools/input"];
@@ -1216,16 +1225,16 @@ function inspectField(protocol, raw, packet, part, device) {
 
 function inspectValue(protocol, { field, values, data }, part, device) {
     const parameters = parametersAt(protocol, field, part.path);
-    const { parameter } = parameters.at(-1);
     const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
     const [siblings, around] = [places.at(-1), places.at(-2)].map((place) => valueAt(values, part.path.slice(0, place)));
+    const parameter = measuredHere(protocol, parameters.at(-1).parameter, siblings, device);
     const type = namedType(protocol, parameter, siblings, device);
     const index = part.path.slice(places.at(-1) + 1).at(-1);
     const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
     const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
     const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
     return {
-        path: pathText(protocol, parameters, part.path),
+        path: pathText([...parameters.slice(0, -1), { parameter }], part.path),
         bytes: data.subarray(part.offset, part.offset + part.size),
         value: part.value,
         parameter,
@@ -1733,8 +1742,11 @@ function cProgram(names, field, calls) {
             `#include "${header}.h"`,
             "",
             `struct ${type} value;`,
-            `if (${type}_decode(&value, &field) == MIP_OK) {`,
+            `const mip_error error = ${type}_decode(&value, &field);`,
+            "if (error == MIP_OK) {",
             `    /* ${read || "it holds nothing"} */`,
+            "} else {",
+            "    /* mip_error_name(error) says why */",
             "}",
         ].join("\n");
     }
@@ -1949,7 +1961,8 @@ function rustProgram(names, field, calls) {
     if (!calls) {
         const first = field.parameters.find((one) => !isDerived(one));
         const read = first ? `value.${names.member(first.name)}` : "value";
-        return rustUses(`if let Some(Ok(value)) = packet.find::<${names.type(field)}>() {\n    println!("{:?}", ${read});\n}`);
+        const found = `packet.find::<${names.type(field)}>().transpose()?`; // a broken one is an error, as a refused command is
+        return rustUses(`if let Some(value) = ${found} {\n    println!("{:?}", ${read});\n}`);
     }
     const lines = [];
     for (const values of calls) {
@@ -2571,7 +2584,7 @@ modules["tools/builder"] = (() => {
 // The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
 
 const { MipError, toHex } = modules["mip/bytes"];
-const { bitsNumber, enumValue, maskOf, namedType, parameterOf, unitOf } = modules["mip/names"];
+const { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } = modules["mip/names"];
 const { Packet } = modules["mip/packet"];
 const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
 const { allOperations, answerOf, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, supportOn, typicalValues } = modules["tools/build"];
@@ -2834,8 +2847,8 @@ function select(options, value, set) {
 /** The inputs of one operation; they change `values` of the context. */
 function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
-    const { protocol, record, values, events } = context;
-    const parameter = parameterOf(record, op.member) ?? { name: op.member };
+    const { protocol, record, values, events, device } = context;
+    const parameter = measuredHere(protocol, parameterOf(record, op.member) ?? { name: op.member }, values, device);
     const name = op.member;
     const set = (value) => {
         values[name] = value;
@@ -3031,7 +3044,7 @@ function arrayInput(context, op, parameter, hint) {
     const { protocol, values, events } = context;
     const items = values[op.member];
     const record = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
-    const names = protocol.types.get(op.vector)?.elements;
+    const names = op.vector && parameter.elements;
     const rows = items.map((_, i) => {
         const holder = {
             get [op.item.member]() {
@@ -3041,7 +3054,8 @@ function arrayInput(context, op, parameter, hint) {
                 items[i] = value;
             },
         };
-        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)] };
+        const variants = parameter.variants?.filter((one) => one.type); // units are those of the element already
+        const one = { ...record.parameters[0], description: "", units: [unitOf(parameter, i)], variants };
         if (Object.hasOwn(values, one.fields_of ?? "")) holder[one.fields_of] = values[one.fields_of];
         const [control] = input(
             { ...context, values: holder, record: { ...record, parameters: [one] }, outer: { parameter, values } },

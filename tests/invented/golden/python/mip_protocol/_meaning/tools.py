@@ -354,7 +354,7 @@ TYPES: dict[str, Info] = {
         sources=("guide: Pin",),
         devices=("model-a", "model-c"),
         parameters=(
-            Parameter("drive", "drive", "scalar", description="What drives it.", scalar="u8", type=tools.Drive),
+            Parameter("drive", "drive", "scalar", description="What drives it now.", scalar="u8", type=tools.Drive),
             Parameter("use", "use", "scalar", description="How it is used.", facts=("If `drive` is `tools.Drive.PULSE`: values of `tools.PulseUse`.", "If `drive` is `tools.Drive.SERIAL`: values of `tools.SerialUse`."), scalar="u8", variants=(Variant("drive", (1,), "If `drive` is `tools.Drive.PULSE`: values of `tools.PulseUse`.", {"type": tools.PulseUse}), Variant("drive", (2,), "If `drive` is `tools.Drive.SERIAL`: values of `tools.SerialUse`.", {"type": tools.SerialUse}),)),
         ),
     ),

@@ -43,16 +43,16 @@ complete -c mip -a '(__mip_words)'
 }
 
 
-class _Shells(tuple[str, ...]):
-    """The shells; `words`, which the scripts call, is taken but not shown."""
-
-    def __contains__(self, name: object) -> bool:
-        return name == "words" or super().__contains__(name)
+def _shell(name: str) -> str:
+    """A shell, or `words`, which the scripts call and nobody else needs to know of."""
+    if name not in (*SCRIPTS, "words"):
+        raise argparse.ArgumentTypeError(f"'{name}' is not one of {', '.join(SCRIPTS)}")
+    return name
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
-    parser.add_argument("shell", choices=_Shells(SCRIPTS), metavar="SHELL", help=", ".join(SCRIPTS))
+    parser.add_argument("shell", type=_shell, metavar="SHELL", help=", ".join(SCRIPTS))
     parser.add_argument("words", nargs="*", default=[], help=argparse.SUPPRESS)
 
 
@@ -106,6 +106,8 @@ def _values(action: argparse.Action, before: list[str]) -> list[str]:
     if action.choices is not None:
         return [str(choice) for choice in action.choices]
     kind = str(action.metavar or "")
+    if kind == "SHELL":
+        return list(SCRIPTS)
     if kind == "DEVICE":
         from ..devices import DEVICES
 

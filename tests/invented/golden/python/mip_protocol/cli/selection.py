@@ -70,12 +70,23 @@ def field(name: str) -> type[Field]:
 
 
 class Selection:
-    """The selected fields: all, or those of `only`, and none of `without`."""
+    """The selected fields: all, or those of `only`, and none of `without`.
 
-    def __init__(self, only: Iterable[str] = (), without: Iterable[str] = ()) -> None:
+    `data`: without `only`, data alone is selected, neither commands nor answers.
+    """
+
+    def __init__(
+        self, only: Iterable[str] = (), without: Iterable[str] = (), data: bool = False
+    ) -> None:
         self._only = _all(only)
         self._without = _all(without)
+        self._least = 0x80 if data and not self._only else 0  # the first set that is selected
         self._known: dict[tuple[int, int], bool] = {}
+
+    @property
+    def named(self) -> bool:
+        """Are there any names of what is wanted?"""
+        return bool(self._only)
 
     @property
     def everything(self) -> bool:
@@ -86,6 +97,7 @@ class Selection:
         known = self._known.get((set, descriptor))
         if known is None:
             known = not self._only or _within(self._only, set, descriptor)
+            known = known and set >= self._least
             known = known and not _within(self._without, set, descriptor)
             self._known[set, descriptor] = known
         return known

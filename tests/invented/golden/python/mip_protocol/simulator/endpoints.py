@@ -83,16 +83,19 @@ class Pty:
     def _make_link(self) -> None:
         if self._path is None:
             return
-        if self._path.is_symlink() and not os.readlink(self._path).startswith("/dev/"):
-            raise Failure(
-                f"{self._path} is a link to something else; choose another path, or remove it"
-            )
-        if self._path.is_symlink() and self._path.exists():
-            raise Failure(
-                f"{self._path} leads to {os.readlink(self._path)}, perhaps of another simulator; "
-                "end that one, remove the link, or choose another path"
-            )
-        if self._path.exists():
+        if self._path.is_symlink():
+            leads = os.readlink(self._path)
+            if not leads.startswith("/dev/"):
+                raise Failure(
+                    f"{self._path} is a link to something else; choose another path, or remove it"
+                )
+            # A simulator that was killed leaves its link, and the system gives its terminal again.
+            if self._path.exists() and leads != self.name:
+                raise Failure(
+                    f"{self._path} leads to {leads}, perhaps of another simulator; "
+                    "end that one, remove the link, or choose another path"
+                )
+        elif self._path.exists():
             raise Failure(f"{self._path} exists; choose another path, or remove it")
         part = self._path.with_name(f"{self._path.name}.{os.getpid()}.part")
         try:

@@ -23,7 +23,7 @@ Given = dict[str, Any]  # the arguments of an effect
 USUAL_RATE = 1000
 
 #: Levels that a pin with timestamps must change to, by its behavior: rising, falling, either.
-EDGES = {1: (True,), 2: (False,), 3: (True, False)}
+EDGES = {"RISING": (True,), "FALLING": (False,), "EITHER": (True, False)}
 
 
 class Trigger:
@@ -130,7 +130,7 @@ class Events:
         given = self._pins.get(pin)
         if given is None or given["feature"].name != "TIMESTAMP":
             return
-        if level in EDGES.get(given["behavior"], ()):
+        if level in EDGES.get(given["behavior"].name, ()):
             self._edges.setdefault(pin, self._device.now)
 
     # ----------------------------------------------------------------------- the cycle

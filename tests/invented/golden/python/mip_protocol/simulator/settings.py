@@ -19,6 +19,7 @@ from ..errors import Failure, MipError
 from ..field import Command, Structure
 from ..parameter import Parameter
 from ..profile import Device
+from ..text import meant
 from . import views
 from ._facts import COMMANDS, DIFFERENCES
 from .checks import NOTHING, SAME
@@ -92,13 +93,14 @@ class Settings:
 
     def __init__(self, profile: Device, storage: Path | None = None) -> None:
         self._profile = profile
-        self._storage = storage
+        # Behind a link, the file itself is replaced.
+        self._storage = storage and Path(os.path.realpath(storage))
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
-        if storage is not None:
-            if storage.exists():
-                self._saved = _stored(storage, profile)
-            self._replace(storage, None)  # not only when a host saves something
+        if self._storage is not None:
+            if self._storage.exists():
+                self._saved = _stored(self._storage, profile)
+            self._replace(self._storage, None)  # not only when a host saves something
         self.restart()
 
     def restart(self) -> None:
@@ -210,9 +212,12 @@ class Settings:
 def arguments(command: Command) -> dict[str, Any]:
     """The arguments of the effect of a command."""
     behavior = COMMANDS.get(command.NAME, NOTHING)
+    varied = {p.name: p for p in reflection.PARAMETERS[type(command)] if p.variants}
     found: dict[str, Any] = {}
     for name, given in behavior.arguments.items():
         value = _member(command, given) if isinstance(given, str) else given
+        if given in varied:  # a number whose meaning depends on another one
+            value = meant(varied[str(given)].of(command), value)
         table = behavior.translate.get(given, {}) if isinstance(given, str) else {}
         found[name] = table.get(value, value) if isinstance(value, int) else value
     return found

@@ -2,6 +2,7 @@
 
 #[allow(unused_imports)] // a part of the specification needs fewer
 use super::{BaseRate, Limit, Profile, ProfilePort, Variant};
+#[allow(unused_imports)]
 use crate::protocol::AckCode;
 
 /// All devices.

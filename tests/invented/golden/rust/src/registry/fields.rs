@@ -3,156 +3,298 @@
 use super::*;
 
 registry! {
-    #[cfg(all())]
-    0x01..=0x7F {
-        /// Acknowledge (0x00,0xF1).
-        ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
-            "protocol.acknowledge", "Acknowledge",
-            [];
-    }
     #[cfg(feature = "tools")]
     0x01..=0x01 {
         /// Ping (0x01,0x01).
         ToolsPing(crate::tools::Ping):
             Command 0x01, 0x01, of 1,
             "tools.ping", "Ping",
-            [];
+            [], {};
         /// Settings (0x01,0x02).
         ToolsSettings(crate::tools::Settings):
             Command 0x01, 0x02, of 1,
             "tools.settings", "Settings",
-            ["tools.settings_response"];
+            ["tools.settings_response"], {
+                "function";
+                "port";
+                "mode";
+                "baud" in ["Bd"];
+                "limit";
+                "reserved";
+            };
         /// Set time (0x01,0x03).
         ToolsSetTime(crate::tools::SetTime):
             Command 0x01, 0x03, of 1,
             "tools.set_time", "Set time",
-            ["tools.set_time_fast_response", "tools.set_time_slow_response"];
+            ["tools.set_time_fast_response", "tools.set_time_slow_response"], {
+                "function";
+                "part";
+                "value" in ["s"];
+            };
         /// Status (0x01,0x04).
         ToolsStatus(crate::tools::Status):
             Command 0x01, 0x04, of 1,
             "tools.status", "Status",
-            ["tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"];
+            ["tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"], {
+                "selector";
+            };
         /// Bias (0x01,0x05).
         ToolsBias(crate::tools::Bias):
             Command 0x01, 0x05, of 1,
             "tools.bias", "Bias",
-            ["tools.bias_vector"];
+            ["tools.bias_vector"], {
+                "function";
+                "bias": ["x" "y" "z"] in ["g"] of "sensor";
+            };
         /// Capture bias (0x01,0x06).
         ToolsCaptureBias(crate::tools::CaptureBias):
             Command 0x01, 0x06, of 1,
             "tools.capture_bias", "Capture bias",
-            ["tools.bias_vector"];
+            ["tools.bias_vector"], {
+                "time" in ["s"];
+            };
         /// Formats (0x01,0x07).
         ToolsFormats(crate::tools::Formats):
             Command 0x01, 0x07, of 1,
             "tools.formats", "Formats",
-            [];
+            [], {
+                "suppress_ack";
+                "checkpoint";
+                "segments" {
+                    "from" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "to" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "weights";
+                };
+            };
         /// Choice (0x01,0x08).
         ToolsChoice(crate::tools::Choice):
             Command 0x01, 0x08, of 1,
             "tools.choice", "Choice",
-            ["tools.choice_response"];
+            ["tools.choice_response"], {
+                "function";
+                "instance";
+                "shape";
+                "parameters" {
+                    "circle" {
+                        "center" {
+                            "x" in ["m"];
+                            "y" in ["m"];
+                        };
+                        "fill";
+                        "filling" {
+                            "solid";
+                            "striped" {
+                                "width" in ["m"];
+                                "angle" in ["deg"];
+                            };
+                        };
+                    };
+                    "path" {
+                        "closed";
+                        "points" {
+                            "x" in ["m"];
+                            "y" in ["m"];
+                        };
+                    };
+                    "rotation": ["w" "x" "y" "z"] in ["1"];
+                    "label";
+                };
+            };
         /// List (0x01,0x09).
         ToolsList(crate::tools::List):
             Command 0x01, 0x09, of 1,
             "tools.list", "List",
-            ["tools.list_response"];
+            ["tools.list_response"], {
+                "function";
+                "items";
+            };
         /// Inventory (0x01,0x0A).
         ToolsInventory(crate::tools::Inventory):
             Command 0x01, 0x0A, of 1,
             "tools.inventory", "Inventory",
-            ["tools.inventory_response"];
+            ["tools.inventory_response"], {};
         /// Pin (0x01,0x0B).
         ToolsPin(crate::tools::Pin):
             Command 0x01, 0x0B, of 1,
             "tools.pin", "Pin",
-            ["tools.pin_response"];
+            ["tools.pin_response"], {
+                "function";
+                "drive";
+                "use";
+            };
         /// Hello (0x01,0x0C).
         ToolsHello(crate::tools::Hello):
             Command 0x01, 0x0C, of 1,
             "tools.hello", "Hello",
-            ["tools.hello_response"];
+            ["tools.hello_response"], {
+                "reserved";
+                "later";
+            };
         /// Readings (0x01,0x0D).
         ToolsReadings(crate::tools::Readings):
             Command 0x01, 0x0D, of 1,
             "tools.readings", "Readings",
-            ["tools.readings_response"];
+            ["tools.readings_response"], {
+                "drive";
+            };
         /// Poll (0x01,0x0E).
         ToolsPoll(crate::tools::Poll):
             Command 0x01, 0x0E, of 1,
             "tools.poll", "Poll",
-            [];
+            [], {
+                "descriptor_set";
+                "first";
+                "descriptors";
+            };
         /// Settings response (0x01,0x82).
         ToolsSettingsResponse(crate::tools::SettingsResponse):
             Response 0x01, 0x82, of 1,
             "tools.settings_response", "Settings response",
-            ["tools.settings"];
+            ["tools.settings"], {
+                "port";
+                "mode";
+                "baud" in ["Bd"];
+                "limit";
+                "reserved";
+            };
         /// Set time response (0x01,0x83).
         ToolsSetTimeFastResponse(crate::tools::SetTimeFastResponse):
             Response 0x01, 0x83, of 1,
             "tools.set_time_fast_response", "Set time response",
-            ["tools.set_time"];
+            ["tools.set_time"], {
+                "value" in ["s"];
+            };
         /// Set time response (0x01,0x84).
         ToolsSetTimeSlowResponse(crate::tools::SetTimeSlowResponse):
             Response 0x01, 0x84, of 1,
             "tools.set_time_slow_response", "Set time response",
-            ["tools.set_time"];
+            ["tools.set_time"], {
+                "value" in ["s"];
+            };
         /// Choice response (0x01,0x88).
         ToolsChoiceResponse(crate::tools::ChoiceResponse):
             Response 0x01, 0x88, of 1,
             "tools.choice_response", "Choice response",
-            ["tools.choice"];
+            ["tools.choice"], {
+                "instance";
+                "shape";
+                "parameters" {
+                    "circle" {
+                        "center" {
+                            "x" in ["m"];
+                            "y" in ["m"];
+                        };
+                        "fill";
+                        "filling" {
+                            "solid";
+                            "striped" {
+                                "width" in ["m"];
+                                "angle" in ["deg"];
+                            };
+                        };
+                    };
+                    "path" {
+                        "closed";
+                        "points" {
+                            "x" in ["m"];
+                            "y" in ["m"];
+                        };
+                    };
+                    "rotation": ["w" "x" "y" "z"] in ["1"];
+                    "label";
+                };
+            };
         /// List response (0x01,0x89).
         ToolsListResponse(crate::tools::ListResponse):
             Response 0x01, 0x89, of 1,
             "tools.list_response", "List response",
-            ["tools.list"];
+            ["tools.list"], {
+                "items";
+            };
         /// Inventory response (0x01,0x8A).
         ToolsInventoryResponse(crate::tools::InventoryResponse):
             Response 0x01, 0x8A, of 1,
             "tools.inventory_response", "Inventory response",
-            ["tools.inventory"];
+            ["tools.inventory"], {
+                "descriptors";
+            };
         /// Pin response (0x01,0x8B).
         ToolsPinResponse(crate::tools::PinResponse):
             Response 0x01, 0x8B, of 1,
             "tools.pin_response", "Pin response",
-            ["tools.pin"];
+            ["tools.pin"], {
+                "drive";
+                "use";
+            };
         /// Hello response (0x01,0x8C).
         ToolsHelloResponse(crate::tools::HelloResponse):
             Response 0x01, 0x8C, of 1,
             "tools.hello_response", "Hello response",
-            ["tools.hello"];
+            ["tools.hello"], {
+                "seen" in ["s"];
+            };
         /// Readings response (0x01,0x8D).
         ToolsReadingsResponse(crate::tools::ReadingsResponse):
             Response 0x01, 0x8D, of 1,
             "tools.readings_response", "Readings response",
-            ["tools.readings"];
+            ["tools.readings"], {
+                "drive";
+                "readings" {
+                    "kind";
+                    "value";
+                };
+                "last" {
+                    "kind";
+                    "value";
+                };
+            };
         /// Status response (0x01,0x90).
         ToolsStatusShort(crate::tools::StatusShort):
             Response 0x01, 0x90, of 4,
             "tools.status_short", "Status response",
-            ["tools.status"];
+            ["tools.status"], {
+                "flags";
+            };
         /// Status response (0x01,0x90).
         ToolsStatusLong(crate::tools::StatusLong):
             Response 0x01, 0x90, of 4,
             "tools.status_long", "Status response",
-            ["tools.status"];
+            ["tools.status"], {
+                "flags";
+                "uptime" in ["s"];
+            };
         /// Status response (0x01,0x90).
         ToolsStatusOld(crate::tools::StatusOld):
             Response 0x01, 0x90, of 4,
             "tools.status_old", "Status response",
-            ["tools.status"];
+            ["tools.status"], {
+                "uptime" in ["s"];
+            };
         /// Status response (0x01,0x90).
         ToolsStatusFull(crate::tools::StatusFull):
             Response 0x01, 0x90, of 4,
             "tools.status_full", "Status response",
-            ["tools.status"];
+            ["tools.status"], {
+                "place" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "uptime" in ["s"];
+                "mode";
+            };
         /// Bias response (0x01,0x9B).
         ToolsBiasVector(crate::tools::BiasVector):
             Response 0x01, 0x9B, of 1,
             "tools.bias_vector", "Bias response",
-            ["tools.bias", "tools.capture_bias"];
+            ["tools.bias", "tools.capture_bias"], {
+                "bias": ["x" "y" "z"] in ["g"] of "sensor";
+            };
     }
     #[cfg(feature = "mip_3d")]
     0x0C..=0x0C {
@@ -160,7 +302,13 @@ registry! {
         Mip3dDefault(crate::mip_3d::Default):
             Command 0x0C, 0x10, of 1,
             "3d.default", "Default",
-            [];
+            [], {
+                "class";
+                "type";
+                "register";
+                "self";
+                "present";
+            };
     }
     #[cfg(feature = "measurements")]
     0x80..=0x80 {
@@ -168,52 +316,127 @@ registry! {
         MeasurementsAccel(crate::measurements::Accel):
             Data 0x80, 0x01, of 1,
             "measurements.accel", "Acceleration",
-            [];
+            [], {
+                "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
+                "valid_flags";
+            };
         /// Numbers (0x80,0x02).
         MeasurementsNumbers(crate::measurements::Numbers):
             Data 0x80, 0x02, of 1,
             "measurements.numbers", "Numbers",
-            [];
+            [], {
+                "u8";
+                "u16";
+                "u32";
+                "u64";
+                "s8";
+                "s16";
+                "s32";
+                "s64";
+                "float" in ["1"];
+                "double" in ["1"];
+                "bool";
+                "char";
+            };
         /// Strings (0x80,0x03).
         MeasurementsStrings(crate::measurements::Strings):
             Data 0x80, 0x03, of 1,
             "measurements.strings", "Strings",
-            [];
+            [], {
+                "model";
+                "name";
+                "rest";
+            };
         /// Health (0x80,0x04).
         MeasurementsHealth(crate::measurements::Health):
             Data 0x80, 0x04, of 1,
             "measurements.health", "Health",
-            [];
+            [], {
+                "result";
+                "code";
+            };
         /// Arrays (0x80,0x05).
         MeasurementsArrays(crate::measurements::Arrays):
             Data 0x80, 0x05, of 1,
             "measurements.arrays", "Arrays",
-            [];
+            [], {
+                "modes";
+                "flags";
+                "vectors": ["x" "y" "z"] in ["m"];
+                "points" in ["m"] {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "track" {
+                    "from" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "to" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "weights";
+                };
+                "offsets";
+            };
         /// Growing (0x80,0x06).
         MeasurementsGrowing(crate::measurements::Growing):
             Data 0x80, 0x06, of 1,
             "measurements.growing", "Growing",
-            [];
+            [], {
+                "first";
+                "second";
+                "third" in ["deg"];
+            };
         /// Radio (0x80,0x07).
         MeasurementsRadio(crate::measurements::Radio):
             Data 0x80, 0x07, of 1,
             "measurements.radio", "Radio",
-            [];
+            [], {
+                "connected";
+                "strength";
+                "noise" in ["m"];
+                "gap";
+                "gaps";
+            };
         /// Cloud (0x80,0x08).
         MeasurementsCloud(crate::measurements::Cloud):
             Data 0x80, 0x08, of 1,
             "measurements.cloud", "Cloud",
-            [];
+            [], {
+                "points" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "stamp" in ["s"];
+            };
         /// Gust (0x80,0x09).
         MeasurementsGust(crate::measurements::Gust):
             Data 0x80, 0x09, of 1,
             "measurements.gust", "Gust",
-            [];
+            [], {
+                "station";
+                "place" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "height" in ["m"];
+                "speed": ["x" "y" "z"] in ["m"];
+                "valid_flags";
+            };
         /// Breeze (0x80,0x0A).
         MeasurementsBreeze(crate::measurements::Breeze):
             Data 0x80, 0x0A, of 1,
             "measurements.breeze", "Breeze",
-            [];
+            [], {
+                "place" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "height" in ["m"];
+                "turn": ["w" "x" "y" "z"] in ["1"];
+            };
     }
     #[cfg(feature = "more")]
     0x81..=0x81 {
@@ -221,17 +444,26 @@ registry! {
         MoreAccel(crate::more::Accel):
             Data 0x81, 0x01, of 1,
             "more.accel", "Second acceleration",
-            [];
+            [], {
+                "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
+                "valid_flags";
+            };
         /// Strings (0x81,0x03).
         MoreStrings(crate::more::Strings):
             Data 0x81, 0x03, of 1,
             "more.strings", "Strings",
-            [];
+            [], {
+                "model";
+                "name";
+                "rest";
+            };
         /// Own (0x81,0x07).
         MoreOwn(crate::more::Own):
             Data 0x81, 0x07, of 1,
             "more.own", "Own",
-            [];
+            [], {
+                "mode";
+            };
     }
     #[cfg(feature = "copy")]
     0x92..=0x92 {
@@ -239,52 +471,127 @@ registry! {
         CopyAccel(crate::copy::Accel):
             Data 0x92, 0x01, of 1,
             "copy.accel", "Third acceleration",
-            [];
+            [], {
+                "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
+                "valid_flags";
+            };
         /// Numbers (0x92,0x02).
         CopyNumbers(crate::copy::Numbers):
             Data 0x92, 0x02, of 1,
             "copy.numbers", "Numbers",
-            [];
+            [], {
+                "u8";
+                "u16";
+                "u32";
+                "u64";
+                "s8";
+                "s16";
+                "s32";
+                "s64";
+                "float" in ["1"];
+                "double" in ["1"];
+                "bool";
+                "char";
+            };
         /// Strings (0x92,0x03).
         CopyStrings(crate::copy::Strings):
             Data 0x92, 0x03, of 1,
             "copy.strings", "Strings",
-            [];
+            [], {
+                "model";
+                "name";
+                "rest";
+            };
         /// Health (0x92,0x04).
         CopyHealth(crate::copy::Health):
             Data 0x92, 0x04, of 1,
             "copy.health", "Health",
-            [];
+            [], {
+                "result";
+                "code";
+            };
         /// Arrays (0x92,0x05).
         CopyArrays(crate::copy::Arrays):
             Data 0x92, 0x05, of 1,
             "copy.arrays", "Arrays",
-            [];
+            [], {
+                "modes";
+                "flags";
+                "vectors": ["x" "y" "z"] in ["m"];
+                "points" in ["m"] {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "track" {
+                    "from" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "to" {
+                        "x" in ["m"];
+                        "y" in ["m"];
+                    };
+                    "weights";
+                };
+                "offsets";
+            };
         /// Growing (0x92,0x06).
         CopyGrowing(crate::copy::Growing):
             Data 0x92, 0x06, of 1,
             "copy.growing", "Growing",
-            [];
+            [], {
+                "first";
+                "second";
+                "third" in ["deg"];
+            };
         /// Radio (0x92,0x07).
         CopyRadio(crate::copy::Radio):
             Data 0x92, 0x07, of 1,
             "copy.radio", "Radio",
-            [];
+            [], {
+                "connected";
+                "strength";
+                "noise" in ["m"];
+                "gap";
+                "gaps";
+            };
         /// Cloud (0x92,0x08).
         CopyCloud(crate::copy::Cloud):
             Data 0x92, 0x08, of 1,
             "copy.cloud", "Cloud",
-            [];
+            [], {
+                "points" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "stamp" in ["s"];
+            };
         /// Gust (0x92,0x09).
         CopyGust(crate::copy::Gust):
             Data 0x92, 0x09, of 1,
             "copy.gust", "Gust",
-            [];
+            [], {
+                "station";
+                "place" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "height" in ["m"];
+                "speed": ["x" "y" "z"] in ["m"];
+                "valid_flags";
+            };
         /// Breeze (0x92,0x0A).
         CopyBreeze(crate::copy::Breeze):
             Data 0x92, 0x0A, of 1,
             "copy.breeze", "Breeze",
-            [];
+            [], {
+                "place" {
+                    "x" in ["m"];
+                    "y" in ["m"];
+                };
+                "height" in ["m"];
+                "turn": ["w" "x" "y" "z"] in ["1"];
+            };
     }
     #[cfg(feature = "shared")]
     0x80..=0xFF {
@@ -292,6 +599,20 @@ registry! {
         SharedTimestamp(crate::shared::Timestamp):
             Data 0xFF, 0xD3, of 1,
             "shared.timestamp", "Timestamp",
-            [];
+            [], {
+                "tow" in ["s"];
+                "valid_flags";
+            };
+    }
+    #[cfg(all())]
+    0x01..=0x7F {
+        /// Acknowledge (0x00,0xF1).
+        ProtocolAcknowledge(crate::protocol::Acknowledge):
+            Response 0x00, 0xF1, of 1,
+            "protocol.acknowledge", "Acknowledge",
+            [], {
+                "command";
+                "code";
+            };
     }
 }

@@ -1169,7 +1169,7 @@ record! {
     /// Source: guide: Pin.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct PinResponse {
-        /// What drives it.
+        /// What drives it now.
         pub drive: Drive,
         /// How it is used.
         ///
