@@ -431,15 +431,16 @@ def test_a_live_port(kind: Kind, speed: float) -> None:
         for _ in range(30):
             next(fields)
             device.request(PING)
-        passed = (time.monotonic() - began) * speed
-        assert (virtual.now - now) / 1e9 <= passed + 0.001
+        advanced = (virtual.now - now) / 1e9
+        # At the beginning, it may have been late by as long as a read waits.
+        assert 0.25 < advanced < (time.monotonic() - began + 0.2) * speed
         assert device.dropped == device.skipped == 0
     assert virtual.links == [] and device.closed
 
 
 def test_a_live_port_that_the_device_closes() -> None:
     virtual = VirtualDevice(DEVICE)
-    with mip.Device(port := LivePort(virtual, "USB")) as device:
+    with mip.Device(port := LivePort(virtual, "Main")) as device:
         device.request(PING)
         virtual.disconnect(port._link)
         with pytest.raises(mip.PortClosed):

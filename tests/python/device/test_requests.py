@@ -18,8 +18,18 @@ import mip_protocol as mip
 import pytest
 from both import Kind, Peer, acknowledge, packet, until
 from mip_protocol import (
-    Parser, aiding, aio, base, conversation, gnss_1, mip_3dm, port, sensor, simulator, types,
-)  # fmt: skip
+    Parser,
+    aiding,
+    aio,
+    base,
+    conversation,
+    gnss_1,
+    mip_3dm,
+    port,
+    sensor,
+    simulator,
+    types,
+)
 from mip_protocol import device as sync
 from support import ROOT
 
