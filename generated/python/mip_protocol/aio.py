@@ -103,8 +103,8 @@ class Device:
     def _start(self, port: Any) -> None:
         kind = Streams if isinstance(port, tuple) else Threaded
         self._link: Streams | Threaded = kind(port, self._loop)
-        self._closed = False
         self._link.start(weakly(self._receive), weakly(self._lose))
+        self._closed = False
 
     def __del__(self) -> None:
         if not self._closed and not sys.is_finalizing():
@@ -148,7 +148,7 @@ class Device:
             await self._link.stop()
             port = await self._opened(partial(again, rate), time.monotonic() + timeout, closes)
         except BaseException as error:
-            self._is_lost(error)
+            self._give_up(error)
             raise
         if self._closes != closes:
             _close(port)
@@ -409,7 +409,7 @@ class Device:
         finally:
             self._wake(News(True, True))
 
-    def _is_lost(self, error: BaseException) -> None:
+    def _give_up(self, error: BaseException) -> None:
         self._end = self._end or lost(error)
         self._wake(News(True, True))
 

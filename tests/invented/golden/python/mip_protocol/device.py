@@ -86,8 +86,8 @@ class Device:
     def _start(self, port: Any) -> None:
         self._port = port
         self._reader = Reader(port, weakly(self._receive), weakly(self._lose))
-        self._closed = False  # by `close`
         self._reader.start()
+        self._closed = False  # by `close`
 
     def __del__(self) -> None:
         # When Python ends, the thread does not run any more and cannot be waited for.
@@ -137,7 +137,7 @@ class Device:
         try:
             port = self._opened(partial(again, rate), time.monotonic() + timeout, closes)
         except BaseException as error:
-            self._is_lost(error)
+            self._give_up(error)
             raise
         with self._lock:
             meanwhile = self._closes != closes
@@ -414,14 +414,14 @@ class Device:
             if threading.current_thread() is not self._reader:  # of a port that was opened again
                 return
             if error is not None:  # else it was stopped, by `close` or to open the port again
-                self._is_lost(error)
+                self._give_up(error)
             try:
                 self._talk.end(time.monotonic(), time.time())
             finally:
                 self._answered.notify_all()
                 self._arrived.notify_all()
 
-    def _is_lost(self, error: BaseException) -> None:
+    def _give_up(self, error: BaseException) -> None:
         with self._lock:
             self._end = self._end or lost(error)
             self._answered.notify_all()
