@@ -40,12 +40,16 @@ ROWS = (
 CHECKSUM = {"ours_parse", "ours_direct", "ours_build_direct"}
 
 ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffunction-sections", "-fdata-sections"]
-#: The functions of the C library are not counted.
-LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in ("memcpy", "memmove", "memset", "memchr"))]
+#: The functions of the C library and of the compiler are not counted.
+OUTSIDE = ("memcpy", "memmove", "memset", "memchr", "strcmp", "__aeabi_uldivmod")
+LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSIDE)]
 
 #: Parser, walk and builder of both.
 CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
 PLAIN = ("init", "next", "field", "start", "begin", "float", "u64", "finish")
+#: Optional parts: a header, and a function that links the tables of it.
+OPTIONAL = (("device", "mip_device_call"), ("registry", "mip_registry_find"), ("profiles", "mip_profile_find"),
+            ("reflect", "mip_reflect"), ("print", "mip_print_packet"))  # fmt: skip
 STATES = """#include "mip/core.h"
 #include "plain.h"
 struct mip_parser mip_parser;
@@ -178,6 +182,7 @@ def sizes() -> list[Row]:
     table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
     code = linked("straight", functions, straight(includes, fixed)) / len(fixed)
     names = linked("names", ["mip_ack_code_name"])
+    optional = [(f"`{name}.h`", linked(name, [symbol])) for name, symbol in OPTIONAL]
     ours, theirs = state("mip_parser"), state("plain_parser")
     return [
         ["parser, walk and builder", f"{core / plain:.2f}", f"{core} B", f"{plain} B"],
@@ -186,6 +191,7 @@ def sizes() -> list[Row]:
          f"{code:.1f} B"],
         ["of it for all together: the reader of the tables", "", f"{reader} B", ""],
         ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
+        *([f"optional, all of {name}", "", f"{size / 1000:.0f} kB", ""] for name, size in optional),
     ]  # fmt: skip
 
 

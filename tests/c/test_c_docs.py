@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from mipgen import describe
 from mipgen import model as m
-from mipgen.targets.c import members, names
+from mipgen.targets.c import calls, members, names
 from mipgen.targets.c.comments import ELSEWHERE, UNSURE, Comments, comment, reference
 from support import ROOT, SPECS, heavy, model, need
 
@@ -23,7 +23,7 @@ TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
     r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
-    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*(?:MIP_ENUM_\d+ )?\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
 
@@ -111,6 +111,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}.", *in_full(f)]
         yield from of_record(f, of)
+        yield from of_arguments(f, of)
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
             told = [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t), *in_full(t)]
@@ -131,6 +132,17 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     for d in of.devices:
         told = [d.title, prose(d.description, of), *said(describe.device(d, of)), *describe.sources(d)]
         yield f"mip_profile_{d.name}", told
+
+
+def of_arguments(f: m.Field, of: m.Model) -> Iterator[tuple[str, list[str]]]:
+    """What each argument of a function is: its units and ranges, where a caller looks for them."""
+    taking = [(f"{names.field_name(f)}_{c.name}", c.asked) for c in members.constructors(f)]
+    if f.role == m.COMMAND:
+        taking += [(c.name, c.given) for c in calls.calls(f, of)]
+    for name, given in taking:
+        for p in given:
+            told = [prose(p.description, of), *said(describe.parameter(p, f, of))]
+            yield name, [f"- {names.argument_name(p.name)}:", *told]
 
 
 def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:

@@ -17,6 +17,7 @@ from support import heavy, model, need
 from test_c import HERE, both, folder, run, sources
 
 PACKAGES = HERE / "packages"
+ARDUINO = folder("real") / "examples/arduino/arduino.ino"
 VERSION = model("real").protocol.version
 README = (folder("real") / "README.md").read_text("utf-8")
 
@@ -142,8 +143,10 @@ def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> Non
         fetched = fetched.replace(address, archive.as_uri())
     build, prefix = tmp_path / "build", tmp_path / "prefix"
     lines = fetched if how == "fetched" else subdirectory
-    cmake(user(project, lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
+    other = "add_library(mip INTERFACE)\n"  # what the vendor's SDK calls its target
+    cmake(user(project, other + lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
     taste(build / "main")
+    assert "-isystem" in (build / "build.ninja").read_text("utf-8")
     run(need("cmake"), "--install", build)
     assert installed(prefix) == ["bin/main"]
     if how == "subdirectory":
@@ -276,7 +279,7 @@ def test_arduino_manifest() -> None:
     assert (folder("real") / "src" / properties["includes"]).is_file()
     first = shown("PlatformIO and Arduino", "cpp")[0].splitlines()[0]
     assert first == f"#include <{properties['includes']}>"
-    assert first == (PACKAGES / "arduino.ino").read_text("utf-8").splitlines()[1]
+    assert first == ARDUINO.read_text("utf-8").splitlines()[1]
 
 
 @heavy("Arduino")
@@ -284,7 +287,7 @@ def test_arduino(project: Path, tmp_path: Path) -> None:
     """A sketch for an Arduino Uno, by the builder of Arduino's IDE."""
     sketch = tmp_path / "sketch/sketch.ino"
     sketch.parent.mkdir()
-    shutil.copy(PACKAGES / "arduino.ino", sketch)
+    shutil.copy(ARDUINO, sketch)
     shared, build = Path("/usr/share"), tmp_path / "build"
     build.mkdir()
     done = run(

@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdio.h>
 #include <termios.h>
 #include <time.h>
@@ -32,8 +33,8 @@ static int port_open(const char *path, speed_t speed) {
     mode.c_oflag = 0;
     mode.c_lflag = 0;
     mode.c_cflag = CS8 | CREAD | CLOCAL;
-    mode.c_cc[VMIN] = 0;  /* a read returns what there is, */
-    mode.c_cc[VTIME] = 1; /* or nothing after 0.1 s */
+    mode.c_cc[VMIN] = 0; /* a read returns what there is, and does not wait: port_read does */
+    mode.c_cc[VTIME] = 0;
     if (cfsetispeed(&mode, speed) != 0 || cfsetospeed(&mode, speed) != 0 ||
         tcsetattr(port, TCSANOW, &mode) != 0) {
         close(port);
@@ -44,12 +45,18 @@ static int port_open(const char *path, speed_t speed) {
 }
 
 static bool port_read(void *user, uint8_t *bytes, size_t size, size_t *count) {
-    ssize_t got = read(*(const int *)user, bytes, size);
+    struct pollfd port = {*(const int *)user, POLLIN, 0};
+    const int ready = poll(&port, 1, 100);
+    ssize_t got;
+    if (ready <= 0) {
+        return ready == 0 || errno == EINTR; /* nothing for a while */
+    }
+    got = read(port.fd, bytes, size);
     if (got < 0) {
         return errno == EINTR || errno == EAGAIN;
     }
     *count = (size_t)got;
-    return true;
+    return got > 0 || (port.revents & POLLHUP) == 0; /* the terminal may have been hung up */
 }
 
 static bool port_write(void *user, const uint8_t *bytes, size_t size) {
@@ -77,20 +84,28 @@ static uint32_t milliseconds(void *user) {
 /* ------------------------------------------------------------------------ received data */
 
 struct samples {
-    /* The latest time stamp, the number of accelerations, and when the last one arrived. */
-    struct mip_shared_gps_timestamp time;
+    /* Where they come from, their number, and when the last one arrived. */
+    const struct mip_device *device;
     unsigned count;
     uint32_t arrived;
 };
 
-static void on_time(void *user, const struct mip_field *field, uint32_t arrived) {
-    struct samples *samples = (struct samples *)user;
-    (void)arrived;
-    mip_shared_gps_timestamp_decode(&samples->time, field); /* not valid if it cannot be decoded */
+/* The time stamp in a packet; all zeros, which is not valid, if it has none. */
+static struct mip_shared_gps_timestamp time_of(const struct mip_packet *packet) {
+    struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_shared_gps_timestamp time = {0};
+    struct mip_field field;
+    while (mip_walk_next(&walk, &field)) {
+        if (mip_shared_gps_timestamp_decode(&time, &field) == MIP_OK) {
+            break;
+        }
+    }
+    return time;
 }
 
 static void on_accel(void *user, const struct mip_field *field, uint32_t arrived) {
     struct samples *samples = (struct samples *)user;
+    struct mip_shared_gps_timestamp time;
     struct mip_sensor_scaled_accel accel;
     const float *a = accel.scaled_accel;
     if (mip_sensor_scaled_accel_decode(&accel, field) != MIP_OK) {
@@ -98,8 +113,9 @@ static void on_accel(void *user, const struct mip_field *field, uint32_t arrived
     }
     samples->count++;
     samples->arrived = arrived;
-    if (mip_has(samples->time.valid_flags, MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW)) {
-        printf("%.3f s", samples->time.tow);
+    time = time_of(samples->device->packet);
+    if (mip_has(time.valid_flags, MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW)) {
+        printf("%.3f s", time.tow);
     } else {
         printf("no time"); /* before the receiver has a fix */
     }
@@ -107,10 +123,7 @@ static void on_accel(void *user, const struct mip_field *field, uint32_t arrived
 }
 
 static struct samples samples;
-static const struct mip_handler handlers[] = {
-    {MIP_SHARED_GPS_TIMESTAMP, on_time, &samples},
-    {MIP_SENSOR_SCALED_ACCEL, on_accel, &samples},
-};
+static const struct mip_handler handlers[] = {{MIP_SENSOR_SCALED_ACCEL, on_accel, &samples}};
 
 /* ------------------------------------------------------------------------ configuration */
 
@@ -121,8 +134,12 @@ static const struct mip_handler handlers[] = {
 static bool done(const char *what, struct mip_result result) {
     if (!mip_succeeded(result)) {
         const char *why = mip_result_reason(result);
-        fprintf(stderr, "%s: %s%s%s\n", what, mip_outcome_name(result.outcome),
+        fprintf(stderr, "%s: %s%s%s", what, mip_outcome_name(result.outcome),
                 *why != '\0' ? ", " : "", why);
+        if (result.outcome == MIP_REFUSED) {
+            fprintf(stderr, " (code %u)", (unsigned)result.code);
+        }
+        fputc('\n', stderr);
     }
     return mip_succeeded(result);
 }
@@ -166,6 +183,7 @@ int main(int argc, char **argv) {
         return 1;
     }
     mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+    samples.device = &device;
     good = configure(&device);
     samples.arrived = milliseconds(NULL);
     while (good && samples.count < SAMPLES) {

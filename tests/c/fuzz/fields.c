@@ -96,9 +96,11 @@ static void one_layout(const struct mip_codec *codec, const struct mip_field *fi
         CHECK(trailing <= field->size);
         encode_again(codec, value, field, field->size - trailing, lack);
     } else {
-        CHECK(error == MIP_ERROR_TRUNCATED || error == MIP_ERROR_COUNT || error == MIP_ERROR_CONSTANT);
+        CHECK(error == MIP_ERROR_TRUNCATED || error == MIP_ERROR_COUNT || error == MIP_ERROR_CONSTANT ||
+              error == MIP_ERROR_LAYOUT);
         CHECK(all_zero(value, codec->size));
     }
+    CHECK((error == MIP_ERROR_LAYOUT) == !mip_codec_matches(codec, field));
     free(value);
     encode_anything(codec, field);
 }

@@ -132,6 +132,12 @@ static void timed_out(void) {
     CHECK(r.state == MIP_REQUEST_CANCELLED && client.waiting == NULL);
     mip_client_cancel(&client, &r); /* once more does no harm */
     CHECK(expire(9999) == 0 && r.state == MIP_REQUEST_CANCELLED);
+
+    /* The longest. */
+    client.timeout = UINT32_MAX;
+    fresh();
+    add(&r, &mip_tools_ping_command, NULL, 1000);
+    CHECK(expire(1000) == 0 && expire(MIP_MAX_TIMEOUT) == 0 && expire(1000 + MIP_MAX_TIMEOUT) == 1);
     client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 

@@ -218,13 +218,35 @@ static void strings(void) {
     CHECK(t.rest_count == 1 && strcmp(t.rest, "k") == 0);
 }
 
+/* Of several layouts of a descriptor, a field is decoded only as the one that it has. */
+static void layouts(void) {
+    struct mip_tools_status_long wanted;
+    struct mip_tools_status_old old;
+    struct mip_tools_status_short brief;
+    size_t trailing;
+    struct mip_field field = field_of(1, 0x90, "126702000000010000000000000005");
+    CHECK(mip_field_key(&field) == MIP_TOOLS_STATUS_LONG && MIP_TOOLS_STATUS_LONG == MIP_TOOLS_STATUS_OLD);
+    CHECK(mip_tools_status_long_decode(&wanted, &field) == MIP_OK && wanted.flags == 1 && wanted.uptime == 5);
+    memset(&old, 0xAA, sizeof(old));
+    CHECK(mip_decode(&mip_tools_status_old_codec, &old, &field, &trailing) == MIP_ERROR_LAYOUT);
+    CHECK(old.uptime == 0 && trailing == field.size);
+    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_LAYOUT);
+    /* Too short for any: what there is must agree. */
+    field = field_of(1, 0x90, "1267");
+    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_TRUNCATED);
+    field = field_of(1, 0x90, "126702");
+    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_LAYOUT);
+}
+
 static void constants(void) {
     struct mip_tools_status command;
     mip_tools_status_make(&command, 2);
     CHECK(ENCODES(tools_status, &command, "126702"));
     struct mip_tools_status_long status;
     struct mip_field field = field_of(1, 0x90, "1267010000000100000000000000ff");
-    CHECK(mip_tools_status_long_decode(&status, &field) == MIP_ERROR_CONSTANT && status.uptime == 0);
+    CHECK(mip_tools_status_long_decode(&status, &field) == MIP_ERROR_LAYOUT && status.uptime == 0);
+    field = field_of(1, 4, "126802");
+    CHECK(mip_tools_status_decode(&command, &field) == MIP_ERROR_CONSTANT && command.selector == 0);
     CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_command.timeout == 2500);
     /* Keywords, and a parameter with the name of a member that generated code uses itself. */
     struct mip_3d_default d;
@@ -242,6 +264,7 @@ int main(void) {
     names_of_values();
     unions();
     strings();
+    layouts();
     constants();
     return 0;
 }

@@ -57,8 +57,8 @@ static void builder(void) {
 
     CHECK(mip_builder_start(&b, buffer, 5, 1) == MIP_ERROR_LENGTH);
     CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_ERROR_LENGTH && mip_builder_finish(&b).size == 0);
-    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0) == MIP_ERROR_LENGTH);
-    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0xFF) == MIP_ERROR_LENGTH);
+    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0) == MIP_ERROR_SET);
+    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0xFF) == MIP_ERROR_SET);
     CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_ERROR_LENGTH && mip_builder_finish(&b).size == 0);
 }
 
@@ -190,6 +190,7 @@ static void names(void) {
 }
 
 int main(void) {
+    CHECK(mip_version() == MIP_VERSION_NUMBER);
     packets();
     builder();
     walk();

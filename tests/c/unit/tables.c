@@ -91,6 +91,7 @@ static void reflection(void) {
     CHECK(is(r->record->parameters[0].unit, "g") && r->record->parameters[0].elements == 3);
     const struct mip_names *flags = r->record->parameters[1].names;
     CHECK(flags == mip_names_find("state_flags") && flags->bits[2].first == 4 && flags->bits[2].width == 3);
+    CHECK(mip_names_number(flags, 0) == 0);
     CHECK(flags->bits[3].names == mip_names_find("mode") && mip_value_name(flags, 1) == NULL);
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
@@ -103,7 +104,10 @@ static void devices(void) {
     const struct mip_profile *a = mip_profile_find("model-a");
     const struct mip_profile *b = mip_profile_find("model-b");
     CHECK(mip_profile_count == 5 && a == &mip_profile_model_a && b == &mip_profile_model_b);
-    CHECK(mip_profile_find("model-d") == NULL && mip_profile_find("") == NULL);
+    CHECK(mip_profile_find("model-d") == NULL && mip_profile_find("") == NULL && mip_profile_find("  ") == NULL);
+    /* As a device sends it. */
+    CHECK(mip_profile_find("     model-a") == a && mip_profile_find("model-a    ") == a);
+    CHECK(mip_profile_find("model-a b") == NULL && mip_profile_find("model- a") == NULL && mip_profile_find("model") == NULL);
     CHECK(a->model_number == 4711 && b->model_number == 0);
     CHECK(is(mip_profile_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
     CHECK(is(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));

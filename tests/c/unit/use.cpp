@@ -8,6 +8,10 @@
 
 #include <cstring>
 
+// An enumeration holds every value that its member has, and goes back to where it came from.
+static_assert(sizeof(mip_mode) == 1, "a value that has no name would be undefined");
+static_assert(static_cast<uint8_t>(static_cast<mip_mode>(0xFE)) == 0xFE, "lost");
+
 int main() {
     uint8_t buffer[MIP_MAX_PACKET];
     mip_builder builder;

@@ -38,7 +38,7 @@ struct mip_3dm_poll_entry {
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
-enum mip_3dm_factory_streaming_action {
+enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
     /** The formats are replaced. */
     MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE = 0,
     /** The support fields are merged into the formats; the order may change. */
@@ -55,7 +55,7 @@ MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
-enum mip_3dm_constellation_id {
+enum mip_3dm_constellation_id MIP_ENUM_8 {
     /** GPS, satellites G1 to G32. */
     MIP_3DM_CONSTELLATION_ID_GPS = 0,
     /** SBAS, satellites S120 to S158. */
@@ -115,7 +115,7 @@ typedef uint16_t mip_3dm_sbas_options;
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
-enum mip_3dm_assisted_fix_option {
+enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
     /** The receiver starts without it. */
     MIP_3DM_ASSISTED_FIX_OPTION_NONE = 0,
     /** The receiver starts from its last fix. */
@@ -129,7 +129,7 @@ MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
-enum mip_3dm_pps_source {
+enum mip_3dm_pps_source MIP_ENUM_8 {
     /** No pulse. */
     MIP_3DM_PPS_SOURCE_DISABLED = 0,
     /** From GNSS receiver 1. */
@@ -149,7 +149,7 @@ MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-enum mip_3dm_event_support_query {
+enum mip_3dm_event_support_query MIP_ENUM_8 {
     /** Triggers. */
     MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES = 1,
     /** Actions. */
@@ -199,7 +199,7 @@ struct mip_3dm_event_action_status_entry {
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-enum mip_3dm_odometer_mode {
+enum mip_3dm_odometer_mode MIP_ENUM_8 {
     /** Not used. */
     MIP_3DM_ODOMETER_MODE_DISABLED = 0,
     /** Quadrature encoder on two pins. */
@@ -213,7 +213,7 @@ MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
-enum mip_3dm_sensor_range_type {
+enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     /** All sensors; for save, load and default only. */
     MIP_3DM_SENSOR_RANGE_TYPE_ALL = 0,
     /** Accelerometer. */
@@ -245,7 +245,7 @@ struct mip_3dm_sensor_range_entry {
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
-enum mip_3dm_device_status_selector {
+enum mip_3dm_device_status_selector MIP_ENUM_8 {
     /** State and timer. */
     MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC = 1,
     /** State and timer with the counters of streams and port. */
@@ -259,7 +259,7 @@ MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  */
-enum mip_3dm_legacy_data_stream {
+enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
     /** All streams; for save, load and default only. */
     MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS = 0,
     /** Sensor data (0x80). */
@@ -320,7 +320,13 @@ static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_i
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
 }
-/** Poll IMU Data. Fills the structure and returns its address. */
+/**
+ * Poll IMU Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of Sensor data.
+ */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -382,7 +388,14 @@ static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
 }
-/** Poll GNSS Data. Fills the structure and returns its address. */
+/**
+ * Poll GNSS Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+ * - descriptors: Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation
+ *   in place of the reserved number and does not say how a poll uses it.
+ */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -441,7 +454,13 @@ static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
 }
-/** Poll Estimation Filter Data. Fills the structure and returns its address. */
+/**
+ * Poll Estimation Filter Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of Filter data.
+ */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -500,7 +519,13 @@ static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
 }
-/** Poll NMEA Data. Fills the structure and returns its address. */
+/**
+ * Poll NMEA Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - count: Number of sentences. The number of elements of format_entries.
+ * - format_entries: Sentences to send.
+ */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -761,7 +786,12 @@ static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of Sensor data. Required for write.
+ */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -889,7 +919,13 @@ static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
+ *   Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of GNSS data. Required for write.
+ */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1019,7 +1055,12 @@ static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of Filter data. Required for write.
+ */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1246,7 +1287,12 @@ static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - count: Number of sentences. The number of elements of format_entries. Required for write.
+ * - format_entries: Sentences to stream. Required for write.
+ */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1372,7 +1418,14 @@ static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
 }
-/** Poll Data. Fills the structure and returns its address. */
+/**
+ * Poll Data. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1448,7 +1501,11 @@ static inline mip_error mip_3dm_get_base_rate_encode_inline(
     mip_put_8(data, value->descriptor_set);
     return MIP_OK;
 }
-/** Get Data Base Rate. Fills the structure and returns its address. */
+/**
+ * Get Data Base Rate. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1573,7 +1630,13 @@ static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_messa
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
+ */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1585,7 +1648,11 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1593,7 +1660,11 @@ mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1601,7 +1672,11 @@ mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1609,7 +1684,11 @@ mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1721,7 +1800,11 @@ static inline mip_error mip_3dm_factory_streaming_encode_inline(
     mip_put_8(data + 1, value->reserved);
     return MIP_OK;
 }
-/** Factory Streaming. Fills the structure and returns its address. */
+/**
+ * Factory Streaming. Fills the structure and returns its address.
+ *
+ * - action: What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action.
+ */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -1787,7 +1870,18 @@ static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ * - enable: Whether the stream is sent. Default: true. Required for write.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -1796,7 +1890,17 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     command->enable = enable;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1804,7 +1908,17 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1812,7 +1926,17 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1820,7 +1944,17 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
     command->descriptor_set = descriptor_set;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1972,7 +2106,15 @@ static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - max_channels: Maximum number of tracking channels in use; at most the number that the response
+ *   reports as available. Unit: 1. Required for write.
+ * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
+ *   for write.
+ * - settings: One entry for each constellation. Required for write.
+ */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2113,7 +2255,17 @@ static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
+ *   default 1.
+ * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
+ * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+ *   included_prns. Required for write.
+ * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
+ */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2254,7 +2406,13 @@ static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+ */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2413,7 +2571,13 @@ static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week. Unit: s. Required for write.
+ * - week_number: GPS week number since 1980. Unit: week. Required for write.
+ * - accuracy: Accuracy of the time. Unit: s. Required for write.
+ */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2552,7 +2716,13 @@ static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+ *   3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -2711,7 +2881,11 @@ static inline mip_error mip_3dm_get_event_support_encode_inline(
     mip_put_8(data, value->query);
     return MIP_OK;
 }
-/** Get Supported Events. Fills the structure and returns its address. */
+/**
+ * Get Supported Events. Fills the structure and returns its address.
+ *
+ * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
+ */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -2815,7 +2989,13 @@ static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
+ *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
+ */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -2824,7 +3004,11 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2832,7 +3016,11 @@ mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2840,7 +3028,11 @@ mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2848,7 +3040,11 @@ mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2964,7 +3160,13 @@ static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
 }
-/** Get Event Trigger Status. Fills the structure and returns its address. */
+/**
+ * Get Event Trigger Status. Fills the structure and returns its address.
+ *
+ * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Trigger instances.
+ */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3051,7 +3253,13 @@ static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
 }
-/** Get Event Action Status. Fills the structure and returns its address. */
+/**
+ * Get Event Action Status. Fills the structure and returns its address.
+ *
+ * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Action instances.
+ */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3171,7 +3379,15 @@ static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
+ *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
+ * - parameters: The condition. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_TRIGGER_TYPE_NONE.
+ */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
     enum mip_event_trigger_type type,
@@ -3185,7 +3401,11 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     }
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3193,7 +3413,11 @@ mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3201,7 +3425,11 @@ mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3209,7 +3437,11 @@ mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_default(
     struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3343,7 +3575,16 @@ static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ * - trigger: Trigger instance that the action follows. Required for write.
+ * - type: Kind of action. A value of enum mip_event_action_type. Default:
+ *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
+ * - parameters: The effect. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_ACTION_TYPE_NONE.
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
                                   uint8_t trigger, enum mip_event_action_type type,
@@ -3358,7 +3599,11 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     }
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3366,7 +3611,11 @@ mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3374,7 +3623,11 @@ mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3382,7 +3635,11 @@ mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3598,7 +3855,13 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - roll: Rotation about the x axis. Unit: rad. Required for write.
+ * - pitch: Rotation about the y axis. Unit: rad. Required for write.
+ * - yaw: Rotation about the z axis. Unit: rad. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
     struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -3767,7 +4030,12 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+ *   Elements: w, x, y, z. Unit: 1. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
                                            const float q[4]) {
@@ -3935,7 +4203,12 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
     struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -4090,7 +4363,12 @@ static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bia
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
+ *   apply.
+ */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4129,6 +4407,9 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
+ *   apply.
  */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
@@ -4253,7 +4534,12 @@ static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
+ *   apply.
+ */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4289,6 +4575,9 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
+ *   apply.
  */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
@@ -4439,7 +4728,11 @@ static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     mip_put_16(data, value->averaging_time_ms);
     return MIP_OK;
 }
-/** Capture Gyroscope Bias. Fills the structure and returns its address. */
+/**
+ * Capture Gyroscope Bias. Fills the structure and returns its address.
+ *
+ * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
+ */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -4499,7 +4792,12 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
+ *   apply. On the 3DM-GX5-45: default 0, 0, 0.
+ */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -4538,6 +4836,9 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
+ *   apply. On the 3DM-GX5-45: default 0, 0, 0.
  */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
@@ -4665,7 +4966,12 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+ *   m33. Unit: 1. Frame: sensor. Required for write and apply.
+ */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -4704,6 +5010,9 @@ mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *comman
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+ *   m33. Unit: 1. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_apply(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
@@ -4826,7 +5135,11 @@ static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: Whether the compensation is on. Default: true. Required for write.
+ */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -4978,7 +5291,12 @@ static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
+ *   115200.
+ */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -5149,7 +5467,21 @@ static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_con
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
+ *   Required for write.
+ * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
+ *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
+ *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
+ *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
+ *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
+ *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
+ *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
+ * - pin_mode: Electrical options. Required for write.
+ */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -5161,7 +5493,11 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     command->pin_mode = pin_mode;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5169,7 +5505,11 @@ mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5177,7 +5517,11 @@ mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5185,7 +5529,11 @@ mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5329,7 +5677,12 @@ static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_stat
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1. Range: at least 1.
+ * - state: True is high. Required for write.
+ */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -5338,7 +5691,11 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     command->state = state;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1. Range: at least 1.
+ */
 static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
                                                                  uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5463,7 +5820,15 @@ static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odom
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
+ * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+ *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
+ *   wheel.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write.
+ */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -5645,7 +6010,19 @@ static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ * - enable: Whether the quantity is filtered. Default: true. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
+ *   Required for write.
+ * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
+ *   write. On the 3DM-GX5-15: range at most 250.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -5657,7 +6034,14 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     command->frequency = frequency;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5665,7 +6049,14 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
     command->target_descriptor = target_descriptor;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_save(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5673,7 +6064,14 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
     command->target_descriptor = target_descriptor;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_load(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5681,7 +6079,14 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
     command->target_descriptor = target_descriptor;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_default(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5844,7 +6249,19 @@ static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
+ *   On the 3DM-GX5-15: default true.
+ * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
+ *   the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
+ *   offer it. On the 3DM-GX5-15: default true.
+ * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
+ *   to 1000. Default: 10. Required for write.
+ * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
+ *   1000. Default: 10. Required for write.
+ */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -6009,7 +6426,12 @@ static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - setting: Number of the range. Required for write.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -6018,7 +6440,11 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     command->setting = setting;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6026,7 +6452,11 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6034,7 +6464,11 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6042,7 +6476,11 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6177,7 +6615,11 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     mip_put_8(data, value->sensor);
     return MIP_OK;
 }
-/** Get Calibrated Sensor Ranges. Fills the structure and returns its address. */
+/**
+ * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -6292,7 +6734,17 @@ static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ * - enable: Whether the field is filtered. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
+ *   Required for write.
+ * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
+ *   Unit: Hz. Required for write.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -6305,7 +6757,12 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->frequency = frequency;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6314,7 +6771,12 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6323,7 +6785,12 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6332,7 +6799,12 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6499,7 +6971,13 @@ static inline mip_error mip_3dm_device_status_encode_inline(
     mip_put_8(data + 2, value->status_selector);
     return MIP_OK;
 }
-/** Device Status. Fills the structure and returns its address. */
+/**
+ * Device Status. Fills the structure and returns its address.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ * - status_selector: Level of detail of the answer. A value of enum mip_3dm_device_status_selector.
+ */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -6537,7 +7015,10 @@ struct mip_3dm_device_status_basic_response {
     uint32_t system_timer;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
@@ -6589,7 +7070,10 @@ struct mip_3dm_device_status_basic_stateless_response {
     uint32_t system_timer;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
@@ -6665,7 +7149,10 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t imu_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
@@ -6758,7 +7245,10 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t gnss_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
@@ -6858,7 +7348,10 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     mip_bool receiver_init_failed;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
@@ -6958,7 +7451,10 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t gnss_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
@@ -7048,7 +7544,10 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t imu_last_message_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
@@ -7138,7 +7637,10 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90

@@ -29,7 +29,13 @@ static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
                            NULL, now);
 }
 
-/** Poll IMU Data. See mip_device_call. */
+/**
+ * Poll IMU Data. See mip_device_call.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of Sensor data.
+ */
 static inline struct mip_result
 mip_call_3dm_poll_imu_data(struct mip_device *device, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -62,7 +68,14 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
                            NULL, now);
 }
 
-/** Poll GNSS Data. See mip_device_call. */
+/**
+ * Poll GNSS Data. See mip_device_call.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+ * - descriptors: Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation
+ *   in place of the reserved number and does not say how a poll uses it.
+ */
 static inline struct mip_result mip_call_3dm_poll_gnss_data(
     struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -96,7 +109,13 @@ static inline mip_error mip_send_3dm_poll_filter_data(
                            NULL, NULL, now);
 }
 
-/** Poll Estimation Filter Data. See mip_device_call. */
+/**
+ * Poll Estimation Filter Data. See mip_device_call.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of Filter data.
+ */
 static inline struct mip_result mip_call_3dm_poll_filter_data(
     struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -129,7 +148,13 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
                            NULL, now);
 }
 
-/** Poll NMEA Data. See mip_device_call. */
+/**
+ * Poll NMEA Data. See mip_device_call.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - count: Number of sentences. The number of elements of format_entries.
+ * - format_entries: Sentences to send.
+ */
 static inline struct mip_result
 mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, uint8_t count,
                             const struct mip_nmea_message format_entries[]) {
@@ -205,7 +230,12 @@ static inline mip_error mip_send_3dm_imu_message_format(
                            &mip_3dm_imu_message_format_response_codec, response, now);
 }
 
-/** IMU Message Format: write. Apply the new setting. See mip_device_call. */
+/**
+ * IMU Message Format: write. Apply the new setting. See mip_device_call.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of Sensor data. Required for write.
+ */
 static inline struct mip_result
 mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                       const struct mip_descriptor_rate descriptors[]) {
@@ -273,7 +303,13 @@ static inline mip_error mip_send_3dm_gnss_message_format(
                            &mip_3dm_gnss_message_format_response_codec, response, now);
 }
 
-/** GNSS Message Format: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS Message Format: write. Apply the new setting. See mip_device_call.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
+ *   Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of GNSS data. Required for write.
+ */
 static inline struct mip_result
 mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                        const struct mip_descriptor_rate descriptors[]) {
@@ -343,7 +379,12 @@ static inline mip_error mip_send_3dm_filter_message_format(
                            &mip_3dm_filter_message_format_response_codec, response, now);
 }
 
-/** Estimation Filter Message Format: write. Apply the new setting. See mip_device_call. */
+/**
+ * Estimation Filter Message Format: write. Apply the new setting. See mip_device_call.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of Filter data. Required for write.
+ */
 static inline struct mip_result
 mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_descriptors,
                                          const struct mip_descriptor_rate descriptors[]) {
@@ -440,7 +481,12 @@ static inline mip_error mip_send_3dm_nmea_message_format(
                            &mip_3dm_nmea_message_format_response_codec, response, now);
 }
 
-/** NMEA Message Format: write. Apply the new setting. See mip_device_call. */
+/**
+ * NMEA Message Format: write. Apply the new setting. See mip_device_call.
+ *
+ * - count: Number of sentences. The number of elements of format_entries. Required for write.
+ * - format_entries: Sentences to stream. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_nmea_message_format_write(
     struct mip_device *device, uint8_t count, const struct mip_nmea_message format_entries[]) {
     struct mip_3dm_nmea_message_format command;
@@ -506,7 +552,14 @@ static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
                            now);
 }
 
-/** Poll Data. See mip_device_call. */
+/**
+ * Poll Data. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device,
                                                        uint8_t descriptor_set,
                                                        mip_bool suppress_ack,
@@ -545,7 +598,11 @@ static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
                            &mip_3dm_get_base_rate_response_codec, response, now);
 }
 
-/** Get Data Base Rate. See mip_device_call. */
+/**
+ * Get Data Base Rate. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ */
 static inline struct mip_result
 mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
                            struct mip_3dm_get_base_rate_response *response) {
@@ -581,7 +638,13 @@ static inline mip_error mip_send_3dm_message_format(
                            &mip_3dm_message_format_response_codec, response, now);
 }
 
-/** Message Format: write. Apply the new setting. See mip_device_call. */
+/**
+ * Message Format: write. Apply the new setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_message_format_write(
     struct mip_device *device, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -592,7 +655,11 @@ static inline struct mip_result mip_call_3dm_message_format_write(
         NULL);
 }
 
-/** Message Format: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Message Format: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_result
 mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
                                  struct mip_3dm_message_format_response *response) {
@@ -602,7 +669,11 @@ mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_s
                            &mip_3dm_message_format_response_codec, response);
 }
 
-/** Message Format: save. Save the current setting to non-volatile memory. See mip_device_call. */
+/**
+ * Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_message_format_save(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
     struct mip_3dm_message_format command;
@@ -610,7 +681,11 @@ static inline struct mip_result mip_call_3dm_message_format_save(struct mip_devi
                            mip_3dm_message_format_save(&command, descriptor_set), NULL, NULL);
 }
 
-/** Message Format: load. Load the saved setting. See mip_device_call. */
+/**
+ * Message Format: load. Load the saved setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_message_format_load(struct mip_device *device,
                                                                  uint8_t descriptor_set) {
     struct mip_3dm_message_format command;
@@ -618,7 +693,11 @@ static inline struct mip_result mip_call_3dm_message_format_load(struct mip_devi
                            mip_3dm_message_format_load(&command, descriptor_set), NULL, NULL);
 }
 
-/** Message Format: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Message Format: default. Load the factory default setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_message_format_default(struct mip_device *device,
                                                                     uint8_t descriptor_set) {
     struct mip_3dm_message_format command;
@@ -650,7 +729,11 @@ static inline mip_error mip_send_3dm_factory_streaming(
                            NULL, NULL, now);
 }
 
-/** Factory Streaming. See mip_device_call. */
+/**
+ * Factory Streaming. See mip_device_call.
+ *
+ * - action: What happens to the existing formats. A value of enum mip_3dm_factory_streaming_action.
+ */
 static inline struct mip_result mip_call_3dm_factory_streaming(
     struct mip_device *device, enum mip_3dm_factory_streaming_action action) {
     struct mip_3dm_factory_streaming command;
@@ -682,7 +765,18 @@ static inline mip_error mip_send_3dm_data_stream_control(
                            &mip_3dm_data_stream_control_response_codec, response, now);
 }
 
-/** Data Stream Control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Data Stream Control: write. Apply the new setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ * - enable: Whether the stream is sent. Default: true. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
                                                                        uint8_t descriptor_set,
                                                                        mip_bool enable) {
@@ -692,7 +786,17 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
                            NULL, NULL);
 }
 
-/** Data Stream Control: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Data Stream Control: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
                                       struct mip_3dm_data_stream_control_response *response) {
@@ -704,6 +808,14 @@ mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descrip
 
 /**
  * Data Stream Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
@@ -712,7 +824,17 @@ static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip
                            mip_3dm_data_stream_control_save(&command, descriptor_set), NULL, NULL);
 }
 
-/** Data Stream Control: load. Load the saved setting. See mip_device_call. */
+/**
+ * Data Stream Control: load. Load the saved setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
                                                                       uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control command;
@@ -720,7 +842,17 @@ static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip
                            mip_3dm_data_stream_control_load(&command, descriptor_set), NULL, NULL);
 }
 
-/** Data Stream Control: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Data Stream Control: default. Load the factory default setting. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ *   3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
+ *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
+ *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
+ *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ */
 static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
                                                                          uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control command;
@@ -755,7 +887,15 @@ static inline mip_error mip_send_3dm_constellation_settings(
                            command, &mip_3dm_constellation_settings_response_codec, response, now);
 }
 
-/** Constellation Settings: write. Apply the new setting. See mip_device_call. */
+/**
+ * Constellation Settings: write. Apply the new setting. See mip_device_call.
+ *
+ * - max_channels: Maximum number of tracking channels in use; at most the number that the response
+ *   reports as available. Unit: 1. Required for write.
+ * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
+ *   for write.
+ * - settings: One entry for each constellation. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_constellation_settings_write(
     struct mip_device *device, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -828,7 +968,17 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
                            &mip_3dm_gnss_sbas_settings_response_codec, response, now);
 }
 
-/** GNSS SBAS Settings: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS SBAS Settings: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
+ *   default 1.
+ * - sbas_options: What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
+ * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+ *   included_prns. Required for write.
+ * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
     struct mip_device *device, uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
     uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -897,7 +1047,13 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
                            &mip_3dm_gnss_assisted_fix_response_codec, response, now);
 }
 
-/** GNSS Assisted Fix: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS Assisted Fix: write. Apply the new setting. See mip_device_call.
+ *
+ * - option: Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+ */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
     struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
     struct mip_3dm_gnss_assisted_fix command;
@@ -963,7 +1119,13 @@ static inline mip_error mip_send_3dm_gnss_time_assistance(
                            &mip_3dm_gnss_time_assistance_response_codec, response, now);
 }
 
-/** GNSS Time Assistance: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS Time Assistance: write. Apply the new setting. See mip_device_call.
+ *
+ * - tow: GPS time of week. Unit: s. Required for write.
+ * - week_number: GPS week number since 1980. Unit: week. Required for write.
+ * - accuracy: Accuracy of the time. Unit: s. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct mip_device *device,
                                                                         double tow,
                                                                         uint16_t week_number,
@@ -1009,7 +1171,13 @@ static inline mip_error mip_send_3dm_pps_source_control(
                            &mip_3dm_pps_source_control_response_codec, response, now);
 }
 
-/** PPS Source Control: write. Apply the new setting. See mip_device_call. */
+/**
+ * PPS Source Control: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+ *   3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ */
 static inline struct mip_result
 mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
     struct mip_3dm_pps_source_control command;
@@ -1075,7 +1243,11 @@ static inline mip_error mip_send_3dm_get_event_support(
                            &mip_3dm_get_event_support_response_codec, response, now);
 }
 
-/** Get Supported Events. See mip_device_call. */
+/**
+ * Get Supported Events. See mip_device_call.
+ *
+ * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
+ */
 static inline struct mip_result
 mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_support_query query,
                                struct mip_3dm_get_event_support_response *response) {
@@ -1113,7 +1285,13 @@ static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
                            &mip_3dm_event_control_response_codec, response, now);
 }
 
-/** Event Control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Event Control: write. Apply the new setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
+ *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_event_control_write(struct mip_device *device,
                                                                  uint8_t instance,
                                                                  enum mip_event_trigger_mode mode) {
@@ -1122,7 +1300,11 @@ static inline struct mip_result mip_call_3dm_event_control_write(struct mip_devi
                            mip_3dm_event_control_write(&command, instance, mode), NULL, NULL);
 }
 
-/** Event Control: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Event Control: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_result mip_call_3dm_event_control_read(
     struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
     struct mip_3dm_event_control command;
@@ -1131,7 +1313,11 @@ static inline struct mip_result mip_call_3dm_event_control_read(
                            &mip_3dm_event_control_response_codec, response);
 }
 
-/** Event Control: save. Save the current setting to non-volatile memory. See mip_device_call. */
+/**
+ * Event Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_result mip_call_3dm_event_control_save(struct mip_device *device,
                                                                 uint8_t instance) {
     struct mip_3dm_event_control command;
@@ -1139,7 +1325,11 @@ static inline struct mip_result mip_call_3dm_event_control_save(struct mip_devic
                            mip_3dm_event_control_save(&command, instance), NULL, NULL);
 }
 
-/** Event Control: load. Load the saved setting. See mip_device_call. */
+/**
+ * Event Control: load. Load the saved setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_result mip_call_3dm_event_control_load(struct mip_device *device,
                                                                 uint8_t instance) {
     struct mip_3dm_event_control command;
@@ -1147,7 +1337,11 @@ static inline struct mip_result mip_call_3dm_event_control_load(struct mip_devic
                            mip_3dm_event_control_load(&command, instance), NULL, NULL);
 }
 
-/** Event Control: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Event Control: default. Load the factory default setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ */
 static inline struct mip_result mip_call_3dm_event_control_default(struct mip_device *device,
                                                                    uint8_t instance) {
     struct mip_3dm_event_control command;
@@ -1182,7 +1376,13 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
                            now);
 }
 
-/** Get Event Trigger Status. See mip_device_call. */
+/**
+ * Get Event Trigger Status. See mip_device_call.
+ *
+ * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Trigger instances.
+ */
 static inline struct mip_result mip_call_3dm_get_event_trigger_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_trigger_status_response *response) {
@@ -1219,7 +1419,13 @@ static inline mip_error mip_send_3dm_get_event_action_status(
                            command, &mip_3dm_get_event_action_status_response_codec, response, now);
 }
 
-/** Get Event Action Status. See mip_device_call. */
+/**
+ * Get Event Action Status. See mip_device_call.
+ *
+ * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Action instances.
+ */
 static inline struct mip_result mip_call_3dm_get_event_action_status(
     struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
     struct mip_3dm_get_event_action_status_response *response) {
@@ -1257,7 +1463,15 @@ static inline mip_error mip_send_3dm_event_trigger_config(
                            &mip_3dm_event_trigger_config_response_codec, response, now);
 }
 
-/** Event Trigger Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Event Trigger Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
+ *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
+ * - parameters: The condition. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_TRIGGER_TYPE_NONE.
+ */
 static inline struct mip_result mip_call_3dm_event_trigger_config_write(
     struct mip_device *device, uint8_t instance, enum mip_event_trigger_type type,
     const union mip_3dm_event_trigger_config_parameters *parameters) {
@@ -1269,6 +1483,8 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_write(
 
 /**
  * Event Trigger Configuration: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result
 mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
@@ -1282,6 +1498,8 @@ mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instan
 /**
  * Event Trigger Configuration: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mip_device *device,
                                                                        uint8_t instance) {
@@ -1290,7 +1508,11 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mi
                            mip_3dm_event_trigger_config_save(&command, instance), NULL, NULL);
 }
 
-/** Event Trigger Configuration: load. Load the saved setting. See mip_device_call. */
+/**
+ * Event Trigger Configuration: load. Load the saved setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mip_device *device,
                                                                        uint8_t instance) {
     struct mip_3dm_event_trigger_config command;
@@ -1298,7 +1520,11 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mi
                            mip_3dm_event_trigger_config_load(&command, instance), NULL, NULL);
 }
 
-/** Event Trigger Configuration: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Event Trigger Configuration: default. Load the factory default setting. See mip_device_call.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct mip_device *device,
                                                                           uint8_t instance) {
     struct mip_3dm_event_trigger_config command;
@@ -1333,7 +1559,16 @@ static inline mip_error mip_send_3dm_event_action_config(
                            &mip_3dm_event_action_config_response_codec, response, now);
 }
 
-/** Event Action Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Event Action Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ * - trigger: Trigger instance that the action follows. Required for write.
+ * - type: Kind of action. A value of enum mip_event_action_type. Default:
+ *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
+ * - parameters: The effect. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_ACTION_TYPE_NONE.
+ */
 static inline struct mip_result mip_call_3dm_event_action_config_write(
     struct mip_device *device, uint8_t instance, uint8_t trigger, enum mip_event_action_type type,
     const union mip_3dm_event_action_config_parameters *parameters) {
@@ -1346,6 +1581,8 @@ static inline struct mip_result mip_call_3dm_event_action_config_write(
 
 /**
  * Event Action Configuration: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result
 mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
@@ -1359,6 +1596,8 @@ mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instanc
 /**
  * Event Action Configuration: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip_device *device,
                                                                       uint8_t instance) {
@@ -1367,7 +1606,11 @@ static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip
                            mip_3dm_event_action_config_save(&command, instance), NULL, NULL);
 }
 
-/** Event Action Configuration: load. Load the saved setting. See mip_device_call. */
+/**
+ * Event Action Configuration: load. Load the saved setting. See mip_device_call.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip_device *device,
                                                                       uint8_t instance) {
     struct mip_3dm_event_action_config command;
@@ -1375,7 +1618,11 @@ static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip
                            mip_3dm_event_action_config_load(&command, instance), NULL, NULL);
 }
 
-/** Event Action Configuration: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Event Action Configuration: default. Load the factory default setting. See mip_device_call.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_event_action_config_default(struct mip_device *device,
                                                                          uint8_t instance) {
     struct mip_3dm_event_action_config command;
@@ -1461,6 +1708,10 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: write. Apply the new setting. See mip_device_call.
+ *
+ * - roll: Rotation about the x axis. Unit: rad. Required for write.
+ * - pitch: Rotation about the y axis. Unit: rad. Required for write.
+ * - yaw: Rotation about the z axis. Unit: rad. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
@@ -1545,6 +1796,9 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: write. Apply the new setting. See
  * mip_device_call.
+ *
+ * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+ *   Elements: w, x, y, z. Unit: 1. Required for write.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
@@ -1628,6 +1882,9 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: write. Apply the new setting. See
  * mip_device_call.
+ *
+ * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct mip_device *device,
                                                                          const float dcm[9]) {
@@ -1708,7 +1965,12 @@ static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
                            &mip_3dm_accel_bias_response_codec, response, now);
 }
 
-/** Accelerometer Bias Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Accelerometer Bias Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
+ *   apply.
+ */
 static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device *device,
                                                               const float bias[3]) {
     struct mip_3dm_accel_bias command;
@@ -1756,6 +2018,9 @@ static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_devic
 /**
  * Accelerometer Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
+ *
+ * - bias: Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and
+ *   apply.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device *device,
                                                               const float bias[3]) {
@@ -1793,7 +2058,12 @@ static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
                            &mip_3dm_gyro_bias_response_codec, response, now);
 }
 
-/** Gyroscope Bias Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Gyroscope Bias Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
+ *   apply.
+ */
 static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *device,
                                                              const float bias[3]) {
     struct mip_3dm_gyro_bias command;
@@ -1839,6 +2109,9 @@ static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device
 /**
  * Gyroscope Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
+ *
+ * - bias: Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and
+ *   apply.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *device,
                                                              const float bias[3]) {
@@ -1873,7 +2146,11 @@ static inline mip_error mip_send_3dm_capture_gyro_bias(
                            &mip_3dm_gyro_bias_response_codec, response, now);
 }
 
-/** Capture Gyroscope Bias. See mip_device_call. */
+/**
+ * Capture Gyroscope Bias. See mip_device_call.
+ *
+ * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
+ */
 static inline struct mip_result
 mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_time_ms,
                                struct mip_3dm_gyro_bias_response *response) {
@@ -1909,7 +2186,12 @@ static inline mip_error mip_send_3dm_mag_hard_iron_offset(
                            &mip_3dm_mag_hard_iron_offset_response_codec, response, now);
 }
 
-/** Magnetometer Hard Iron Offset: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetometer Hard Iron Offset: write. Apply the new setting. See mip_device_call.
+ *
+ * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
+ *   apply. On the 3DM-GX5-45: default 0, 0, 0.
+ */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct mip_device *device,
                                                                         const float offset[3]) {
     struct mip_3dm_mag_hard_iron_offset command;
@@ -1959,6 +2241,9 @@ mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
 /**
  * Magnetometer Hard Iron Offset: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
+ *
+ * - offset: Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
+ *   apply. On the 3DM-GX5-45: default 0, 0, 0.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct mip_device *device,
                                                                         const float offset[3]) {
@@ -1993,7 +2278,12 @@ static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
                            &mip_3dm_mag_soft_iron_matrix_response_codec, response, now);
 }
 
-/** Magnetometer Soft Iron Matrix: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetometer Soft Iron Matrix: write. Apply the new setting. See mip_device_call.
+ *
+ * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+ *   m33. Unit: 1. Frame: sensor. Required for write and apply.
+ */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct mip_device *device,
                                                                         const float matrix[9]) {
     struct mip_3dm_mag_soft_iron_matrix command;
@@ -2043,6 +2333,9 @@ mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
 /**
  * Magnetometer Soft Iron Matrix: apply. Apply the new setting and send no acknowledge (5-series
  * devices). See mip_device_call.
+ *
+ * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+ *   m33. Unit: 1. Frame: sensor. Required for write and apply.
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct mip_device *device,
                                                                         const float matrix[9]) {
@@ -2077,7 +2370,11 @@ static inline mip_error mip_send_3dm_coning_sculling_enable(
                            command, &mip_3dm_coning_sculling_enable_response_codec, response, now);
 }
 
-/** Coning and Sculling Enable: write. Apply the new setting. See mip_device_call. */
+/**
+ * Coning and Sculling Enable: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: Whether the compensation is on. Default: true. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct mip_device *device,
                                                                           mip_bool enable) {
     struct mip_3dm_coning_sculling_enable command;
@@ -2149,7 +2446,12 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
                            &mip_3dm_uart_baud_rate_response_codec, response, now);
 }
 
-/** UART Baud Rate: write. Apply the new setting. See mip_device_call. */
+/**
+ * UART Baud Rate: write. Apply the new setting. See mip_device_call.
+ *
+ * - baud: Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default
+ *   115200.
+ */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
     struct mip_3dm_uart_baud_rate command;
@@ -2215,7 +2517,21 @@ static inline mip_error mip_send_3dm_gpio_config(struct mip_client *client,
                            &mip_3dm_gpio_config_response_codec, response, now);
 }
 
-/** GPIO Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * GPIO Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
+ *   Required for write.
+ * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
+ *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
+ *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
+ *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
+ *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
+ *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
+ *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
+ * - pin_mode: Electrical options. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device *device,
                                                                uint8_t pin,
                                                                enum mip_gpio_feature feature,
@@ -2227,7 +2543,11 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
                            NULL, NULL);
 }
 
-/** GPIO Configuration: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * GPIO Configuration: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_gpio_config_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
     struct mip_3dm_gpio_config command;
@@ -2238,6 +2558,8 @@ static inline struct mip_result mip_call_3dm_gpio_config_read(
 
 /**
  * GPIO Configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
  */
 static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device *device,
                                                               uint8_t pin) {
@@ -2246,7 +2568,11 @@ static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device 
                            mip_3dm_gpio_config_save(&command, pin), NULL, NULL);
 }
 
-/** GPIO Configuration: load. Load the saved setting. See mip_device_call. */
+/**
+ * GPIO Configuration: load. Load the saved setting. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device *device,
                                                               uint8_t pin) {
     struct mip_3dm_gpio_config command;
@@ -2254,7 +2580,11 @@ static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device 
                            mip_3dm_gpio_config_load(&command, pin), NULL, NULL);
 }
 
-/** GPIO Configuration: default. Load the factory default setting. See mip_device_call. */
+/**
+ * GPIO Configuration: default. Load the factory default setting. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ */
 static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_device *device,
                                                                  uint8_t pin) {
     struct mip_3dm_gpio_config command;
@@ -2290,7 +2620,12 @@ static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
                            &mip_3dm_gpio_state_response_codec, response, now);
 }
 
-/** GPIO State: write. Apply the new setting. See mip_device_call. */
+/**
+ * GPIO State: write. Apply the new setting. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1. Range: at least 1.
+ * - state: True is high. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device *device,
                                                               uint8_t pin, mip_bool state) {
     struct mip_3dm_gpio_state command;
@@ -2298,7 +2633,11 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
                            mip_3dm_gpio_state_write(&command, pin, state), NULL, NULL);
 }
 
-/** GPIO State: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * GPIO State: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - pin: GPIO pin, counted from 1. Range: at least 1.
+ */
 static inline struct mip_result mip_call_3dm_gpio_state_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
     struct mip_3dm_gpio_state command;
@@ -2334,7 +2673,15 @@ static inline mip_error mip_send_3dm_odometer_config(
                            &mip_3dm_odometer_config_response_codec, response, now);
 }
 
-/** Odometer Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Odometer Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - mode: How the input works. A value of enum mip_3dm_odometer_mode. Required for write.
+ * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+ *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
+ *   wheel.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_device *device,
                                                                    enum mip_3dm_odometer_mode mode,
                                                                    float scaling,
@@ -2405,7 +2752,19 @@ static inline mip_error mip_send_3dm_imu_low_pass_filter(
                            &mip_3dm_imu_low_pass_filter_response_codec, response, now);
 }
 
-/** Advanced Low-Pass Filter Settings: write. Apply the new setting. See mip_device_call. */
+/**
+ * Advanced Low-Pass Filter Settings: write. Apply the new setting. See mip_device_call.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ * - enable: Whether the quantity is filtered. Default: true. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
+ *   Required for write.
+ * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
+ *   write. On the 3DM-GX5-15: range at most 250.
+ */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mip_device *device,
                                                                        uint8_t target_descriptor,
                                                                        mip_bool enable,
@@ -2421,6 +2780,11 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 /**
  * Advanced Low-Pass Filter Settings: read. Return the current setting in a response. See
  * mip_device_call.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_descriptor,
@@ -2434,6 +2798,11 @@ mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_
 /**
  * Advanced Low-Pass Filter Settings: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
@@ -2443,7 +2812,14 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip
                            NULL);
 }
 
-/** Advanced Low-Pass Filter Settings: load. Load the saved setting. See mip_device_call. */
+/**
+ * Advanced Low-Pass Filter Settings: load. Load the saved setting. See mip_device_call.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ */
 static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip_device *device,
                                                                       uint8_t target_descriptor) {
     struct mip_3dm_imu_low_pass_filter command;
@@ -2455,6 +2831,11 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip
 /**
  * Advanced Low-Pass Filter Settings: default. Load the factory default setting. See
  * mip_device_call.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
 static inline struct mip_result
 mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t target_descriptor) {
@@ -2491,7 +2872,19 @@ static inline mip_error mip_send_3dm_complementary_filter(
                            &mip_3dm_complementary_filter_response_codec, response, now);
 }
 
-/** Complementary Filter Configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Complementary Filter Configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
+ *   On the 3DM-GX5-15: default true.
+ * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
+ *   the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
+ *   offer it. On the 3DM-GX5-15: default true.
+ * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
+ *   to 1000. Default: 10. Required for write.
+ * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
+ *   1000. Default: 10. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_complementary_filter_write(
     struct mip_device *device, mip_bool pitch_roll_enable, mip_bool heading_enable,
     float pitch_roll_time_constant, float heading_time_constant) {
@@ -2571,7 +2964,12 @@ static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
                            &mip_3dm_sensor_range_response_codec, response, now);
 }
 
-/** Sensor Range: write. Apply the new setting. See mip_device_call. */
+/**
+ * Sensor Range: write. Apply the new setting. See mip_device_call.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ * - setting: Number of the range. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_sensor_range_write(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     struct mip_3dm_sensor_range command;
@@ -2579,7 +2977,11 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
                            mip_3dm_sensor_range_write(&command, sensor, setting), NULL, NULL);
 }
 
-/** Sensor Range: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Sensor Range: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
                                struct mip_3dm_sensor_range_response *response) {
@@ -2589,7 +2991,11 @@ mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_ra
                            &mip_3dm_sensor_range_response_codec, response);
 }
 
-/** Sensor Range: save. Save the current setting to non-volatile memory. See mip_device_call. */
+/**
+ * Sensor Range: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_result
 mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_sensor_range command;
@@ -2597,7 +3003,11 @@ mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_ra
                            mip_3dm_sensor_range_save(&command, sensor), NULL, NULL);
 }
 
-/** Sensor Range: load. Load the saved setting. See mip_device_call. */
+/**
+ * Sensor Range: load. Load the saved setting. See mip_device_call.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_result
 mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_sensor_range command;
@@ -2605,7 +3015,11 @@ mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_ra
                            mip_3dm_sensor_range_load(&command, sensor), NULL, NULL);
 }
 
-/** Sensor Range: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Sensor Range: default. Load the factory default setting. See mip_device_call.
+ *
+ * - sensor: The sensor. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_result mip_call_3dm_sensor_range_default(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_sensor_range command;
@@ -2640,7 +3054,11 @@ static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
                            now);
 }
 
-/** Get Calibrated Sensor Ranges. See mip_device_call. */
+/**
+ * Get Calibrated Sensor Ranges. See mip_device_call.
+ *
+ * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
     struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
@@ -2677,7 +3095,17 @@ static inline mip_error mip_send_3dm_low_pass_filter(
                            &mip_3dm_low_pass_filter_response_codec, response, now);
 }
 
-/** Low-Pass Anti-Aliasing Filter: write. Apply the new setting. See mip_device_call. */
+/**
+ * Low-Pass Anti-Aliasing Filter: write. Apply the new setting. See mip_device_call.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ * - enable: Whether the field is filtered. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
+ *   Required for write.
+ * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
+ *   Unit: Hz. Required for write.
+ */
 static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_device *device,
                                                                    uint8_t descriptor_set,
                                                                    uint8_t field_descriptor,
@@ -2693,6 +3121,9 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 /**
  * Low-Pass Anti-Aliasing Filter: read. Return the current setting in a response. See
  * mip_device_call.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_read(
     struct mip_device *device, uint8_t descriptor_set, uint8_t field_descriptor,
@@ -2706,6 +3137,9 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_read(
 /**
  * Low-Pass Anti-Aliasing Filter: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_device *device,
                                                                   uint8_t descriptor_set,
@@ -2716,7 +3150,12 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_dev
                            NULL, NULL);
 }
 
-/** Low-Pass Anti-Aliasing Filter: load. Load the saved setting. See mip_device_call. */
+/**
+ * Low-Pass Anti-Aliasing Filter: load. Load the saved setting. See mip_device_call.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ */
 static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_device *device,
                                                                   uint8_t descriptor_set,
                                                                   uint8_t field_descriptor) {
@@ -2728,6 +3167,9 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_dev
 
 /**
  * Low-Pass Anti-Aliasing Filter: default. Load the factory default setting. See mip_device_call.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_device *device,
                                                                      uint8_t descriptor_set,
@@ -2858,7 +3300,13 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response, now);
 }
 
-/** Device Status. See mip_device_call. */
+/**
+ * Device Status. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ * - status_selector: Level of detail of the answer. A value of enum mip_3dm_device_status_selector.
+ */
 static inline struct mip_result
 mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -2868,7 +3316,12 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
                            NULL, NULL);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_response *response) {
@@ -2879,7 +3332,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
         &mip_3dm_device_status_basic_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_basic_stateless_response *response) {
@@ -2890,7 +3348,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_r
         &mip_3dm_device_status_basic_stateless_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_response *response) {
@@ -2901,7 +3364,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
                            &mip_3dm_device_status_diagnostic_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gnss_response *response) {
@@ -2912,7 +3380,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
                            &mip_3dm_device_status_diagnostic_gnss_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gq4_45_response *response) {
@@ -2923,7 +3396,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
                            &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_rq1_45_response *response) {
@@ -2934,7 +3412,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
                            &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_gx4_response *response) {
@@ -2945,7 +3428,12 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
                            &mip_3dm_device_status_diagnostic_gx4_response_codec, response);
 }
 
-/** Device Status. The answer is decoded as this response. See mip_device_call. */
+/**
+ * Device Status. The answer is decoded as this response. See mip_device_call.
+ *
+ * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_response(
     struct mip_device *device, uint16_t model_number,
     struct mip_3dm_device_status_diagnostic_imu_response *response) {

@@ -25,7 +25,7 @@ extern "C" {
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  */
-enum mip_aiding_frame_format {
+enum mip_aiding_frame_format MIP_ENUM_8 {
     /** Euler angles: roll, pitch, yaw. */
     MIP_AIDING_FRAME_FORMAT_EULER = 1,
     /** Quaternion: w, x, y, z. */
@@ -39,7 +39,7 @@ MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
-enum mip_aiding_echo_mode {
+enum mip_aiding_echo_mode MIP_ENUM_8 {
     /** No acknowledge. */
     MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
     /** Acknowledge as for any command. */
@@ -51,7 +51,7 @@ enum mip_aiding_echo_mode {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 /** Clock of the time of a measurement. */
-enum mip_aiding_timebase {
+enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
     MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE = 1,
     /** External clock, with which the PPS synchronizes the device. */
@@ -170,7 +170,17 @@ static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_f
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
+ *   and read.
+ * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
+ * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Required for write.
+ * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
+ */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -186,7 +196,13 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
+ *   and read.
+ */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -196,7 +212,11 @@ mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t fr
     command->format = (uint8_t)format;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -204,7 +224,11 @@ mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -212,7 +236,11 @@ mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -326,7 +354,12 @@ static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_e
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
+ *   write.
+ */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -528,7 +561,19 @@ static inline mip_error mip_aiding_ecef_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/** ECEF position. Fills the structure and returns its address. */
+/**
+ * ECEF position. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - position: Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
@@ -656,7 +701,23 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/** LLH position. Fills the structure and returns its address. */
+/**
+ * LLH position. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+ *   valid_flags is set.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags is set.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
+ * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north:
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+ * - valid_flags: Which coordinates are valid.
+ */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
@@ -757,7 +818,15 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/** Height above ellipsoid. Fills the structure and returns its address. */
+/**
+ * Height above ellipsoid. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - uncertainty: Uncertainty of the height. Unit: m.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
@@ -878,7 +947,19 @@ static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/** ECEF velocity. Fills the structure and returns its address. */
+/**
+ * ECEF velocity. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1000,7 +1081,20 @@ static inline mip_error mip_aiding_ned_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/** NED velocity. Fills the structure and returns its address. */
+/**
+ * NED velocity. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its
+ *   own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
+ *   valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1127,7 +1221,20 @@ static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/** Body frame velocity. Fills the structure and returns its address. */
+/**
+ * Body frame velocity. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1227,7 +1334,15 @@ static inline mip_error mip_aiding_true_heading_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/** True heading. Fills the structure and returns its address. */
+/**
+ * True heading. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
@@ -1345,7 +1460,20 @@ static inline mip_error mip_aiding_magnetic_field_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/** Magnetic field. Fills the structure and returns its address. */
+/**
+ * Magnetic field. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - magnetic_field: Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
+ *   its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in
+ *   valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
+ *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
+ *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
@@ -1445,7 +1573,15 @@ static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aidin
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/** Pressure. Fills the structure and returns its address. */
+/**
+ * Pressure. Fills the structure and returns its address.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - pressure: Air pressure. Unit: mbar.
+ * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {

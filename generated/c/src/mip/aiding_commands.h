@@ -31,7 +31,17 @@ static inline mip_error mip_send_aiding_frame_config(
                            &mip_aiding_frame_config_response_codec, response, now);
 }
 
-/** Frame configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Frame configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
+ *   and read.
+ * - tracking_enabled: Whether the filter estimates the errors of the frame. Required for write.
+ * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Required for write.
+ * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
+ */
 static inline struct mip_result mip_call_aiding_frame_config_write(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -43,7 +53,13 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
                            NULL, NULL);
 }
 
-/** Frame configuration: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Frame configuration: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ * - format: How the rotation is given. A value of enum mip_aiding_frame_format. Required for write
+ *   and read.
+ */
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     struct mip_aiding_frame_config_response *response) {
@@ -55,6 +71,8 @@ static inline struct mip_result mip_call_aiding_frame_config_read(
 
 /**
  * Frame configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
  */
 static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_device *device,
                                                                   uint8_t frame_id) {
@@ -63,7 +81,11 @@ static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_dev
                            mip_aiding_frame_config_save(&command, frame_id), NULL, NULL);
 }
 
-/** Frame configuration: load. Load the saved setting. See mip_device_call. */
+/**
+ * Frame configuration: load. Load the saved setting. See mip_device_call.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ */
 static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_device *device,
                                                                   uint8_t frame_id) {
     struct mip_aiding_frame_config command;
@@ -71,7 +93,11 @@ static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_dev
                            mip_aiding_frame_config_load(&command, frame_id), NULL, NULL);
 }
 
-/** Frame configuration: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Frame configuration: default. Load the factory default setting. See mip_device_call.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ */
 static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_device *device,
                                                                      uint8_t frame_id) {
     struct mip_aiding_frame_config command;
@@ -105,7 +131,12 @@ static inline mip_error mip_send_aiding_echo_control(
                            &mip_aiding_echo_control_response_codec, response, now);
 }
 
-/** Echo control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Echo control: write. Apply the new setting. See mip_device_call.
+ *
+ * - mode: How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for
+ *   write.
+ */
 static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
                                                                    enum mip_aiding_echo_mode mode) {
     struct mip_aiding_echo_control command;
@@ -165,7 +196,19 @@ static inline mip_error mip_send_aiding_ecef_position(
                            NULL, NULL, now);
 }
 
-/** ECEF position. See mip_device_call. */
+/**
+ * ECEF position. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - position: Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_result mip_call_aiding_ecef_position(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     const double position[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
@@ -198,7 +241,23 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
                            NULL, now);
 }
 
-/** LLH position. See mip_device_call. */
+/**
+ * LLH position. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+ *   valid_flags is set.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags is set.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
+ * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north:
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+ * - valid_flags: Which coordinates are valid.
+ */
 static inline struct mip_result mip_call_aiding_llh_position(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     double latitude, double longitude, double height, const float uncertainty[3],
@@ -234,7 +293,15 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
                            command, NULL, NULL, now);
 }
 
-/** Height above ellipsoid. See mip_device_call. */
+/**
+ * Height above ellipsoid. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - uncertainty: Uncertainty of the height. Unit: m.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     float height, float uncertainty, uint16_t valid_flags) {
@@ -265,7 +332,19 @@ static inline mip_error mip_send_aiding_ecef_velocity(
                            NULL, NULL, now);
 }
 
-/** ECEF velocity. See mip_device_call. */
+/**
+ * ECEF velocity. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_result mip_call_aiding_ecef_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
@@ -298,7 +377,20 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
                            NULL, now);
 }
 
-/** NED velocity. See mip_device_call. */
+/**
+ * NED velocity. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its
+ *   own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in
+ *   valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_result mip_call_aiding_ned_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
@@ -331,7 +423,20 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
                            command, NULL, NULL, now);
 }
 
-/** Body frame velocity. See mip_device_call. */
+/**
+ * Body frame velocity. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
+ *   flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
+ *   MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_result mip_call_aiding_body_frame_velocity(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
@@ -364,7 +469,15 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
                            NULL, now);
 }
 
-/** True heading. See mip_device_call. */
+/**
+ * True heading. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - heading: Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_result mip_call_aiding_true_heading(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     float heading, float uncertainty, uint16_t valid_flags) {
@@ -395,7 +508,20 @@ static inline mip_error mip_send_aiding_magnetic_field(
                            NULL, NULL, now);
 }
 
-/** Magnetic field. See mip_device_call. */
+/**
+ * Magnetic field. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - magnetic_field: Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
+ *   its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in
+ *   valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
+ *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
+ *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Which axes are valid.
+ */
 static inline struct mip_result mip_call_aiding_magnetic_field(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     const float magnetic_field[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
@@ -428,7 +554,15 @@ static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
                            NULL, now);
 }
 
-/** Pressure. See mip_device_call. */
+/**
+ * Pressure. See mip_device_call.
+ *
+ * - time: When the measurement was taken.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - pressure: Air pressure. Unit: mbar.
+ * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_result mip_call_aiding_pressure(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
     float pressure, float uncertainty, uint16_t valid_flags) {

@@ -44,7 +44,7 @@ struct mip_base_device_info {
 };
 
 /** The part of the GPS time that a value holds. */
-enum mip_base_gps_time_field {
+enum mip_base_gps_time_field MIP_ENUM_8 {
     /** Week number. */
     MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER = 1,
     /** Time of week in whole seconds. */
@@ -729,7 +729,13 @@ static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_sp
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -738,7 +744,12 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     command->baud = baud;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -746,7 +757,12 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -754,7 +770,12 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -762,7 +783,12 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -897,7 +923,14 @@ static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+ *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
+ */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -907,7 +940,11 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ */
 static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
     memset(command, 0, sizeof(*command));
@@ -918,6 +955,11 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+ *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
  */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,

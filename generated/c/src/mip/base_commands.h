@@ -184,7 +184,13 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
                            &mip_base_comm_speed_response_codec, response, now);
 }
 
-/** Comm port speed: write. Apply the new setting. See mip_device_call. */
+/**
+ * Comm port speed: write. Apply the new setting. See mip_device_call.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
+ */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
                                                                uint8_t port, uint32_t baud) {
     struct mip_base_comm_speed command;
@@ -192,7 +198,12 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
                            mip_base_comm_speed_write(&command, port, baud), NULL, NULL);
 }
 
-/** Comm port speed: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Comm port speed: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
     struct mip_base_comm_speed command;
@@ -201,7 +212,12 @@ static inline struct mip_result mip_call_base_comm_speed_read(
                            &mip_base_comm_speed_response_codec, response);
 }
 
-/** Comm port speed: save. Save the current setting to non-volatile memory. See mip_device_call. */
+/**
+ * Comm port speed: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
     struct mip_base_comm_speed command;
@@ -209,7 +225,12 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
                            mip_base_comm_speed_save(&command, port), NULL, NULL);
 }
 
-/** Comm port speed: load. Load the saved setting. See mip_device_call. */
+/**
+ * Comm port speed: load. Load the saved setting. See mip_device_call.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
     struct mip_base_comm_speed command;
@@ -217,7 +238,12 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
                            mip_base_comm_speed_load(&command, port), NULL, NULL);
 }
 
-/** Comm port speed: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Comm port speed: default. Load the factory default setting. See mip_device_call.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-GNSS/INS: values of enum mip_comm_interface.
+ */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {
     struct mip_base_comm_speed command;
@@ -271,7 +297,14 @@ static inline mip_error mip_send_for_base_gps_time_update_tow_response(
                            &mip_base_gps_time_update_tow_response_codec, response, now);
 }
 
-/** GPS time update: write. Apply the new setting. See mip_device_call. */
+/**
+ * GPS time update: write. Apply the new setting. See mip_device_call.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+ *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
+ */
 static inline struct mip_result mip_call_base_gps_time_update_write(
     struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
     struct mip_base_gps_time_update command;
@@ -279,7 +312,11 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
                            mip_base_gps_time_update_write(&command, field_id, value), NULL, NULL);
 }
 
-/** GPS time update: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * GPS time update: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ */
 static inline struct mip_result mip_call_base_gps_time_update_read(
     struct mip_device *device, enum mip_base_gps_time_field field_id) {
     struct mip_base_gps_time_update command;
@@ -315,6 +352,11 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
 /**
  * GPS time update: apply. Apply the new setting and send no acknowledge (5-series devices). See
  * mip_device_call.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ * - value: Time, as `field_id` says. Required for write and apply. If field_id is
+ *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+ *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
  */
 static inline struct mip_result mip_call_base_gps_time_update_apply(
     struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {

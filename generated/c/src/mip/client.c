@@ -30,6 +30,10 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_command *command,
                          const void *value, uint32_t now) {
     const mip_error error = mip_encode(command->codec, value, packet);
+    uint32_t timeout = command->timeout > client->timeout ? command->timeout : client->timeout;
+    if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
+        timeout = MIP_MAX_TIMEOUT;
+    }
     mip_client_cancel(client, request);     /* it could still wait for an earlier answer */
     request->state = MIP_REQUEST_CANCELLED; /* so that it does not wait if there is an error */
     request->code = 0;
@@ -39,8 +43,7 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
     request->asked = error == MIP_OK ? wanted(command, value) : NULL;
     request->codec = request->asked != NULL ? request->asked->codec : NULL;
     request->response = NULL;
-    request->deadline =
-        now + (command->timeout > client->timeout ? command->timeout : client->timeout);
+    request->deadline = now + timeout;
     request->next = NULL;
     if (error != MIP_OK) {
         return error;
@@ -208,8 +211,7 @@ bool mip_client_receive(struct mip_client *client, const struct mip_packet *pack
 }
 
 static bool is_late(const struct mip_request *request, uint32_t now) {
-    return (uint32_t)(now - request->deadline) <
-           UINT32_C(0x80000000); /* the time may wrap around */
+    return (uint32_t)(now - request->deadline) <= MIP_MAX_TIMEOUT; /* the time may wrap around */
 }
 
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,

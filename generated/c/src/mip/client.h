@@ -27,6 +27,8 @@ extern "C" {
 
 /** How long a device may take to answer, in milliseconds, unless the command says otherwise. */
 #define MIP_DEFAULT_TIMEOUT 1000
+/** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
+#define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
 
 /** A response of a command. */
 struct mip_response {
@@ -95,7 +97,7 @@ struct mip_request {
 struct mip_client {
     /** The oldest request that waits; NULL if none does. */
     struct mip_request *waiting;
-    /** Milliseconds that a device may take to answer. */
+    /** Milliseconds that a device may take to answer; at most MIP_MAX_TIMEOUT. */
     uint32_t timeout;
 };
 
@@ -105,7 +107,8 @@ MIP_API void mip_client_init(struct mip_client *client);
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
  * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
- * structure of the command, or NULL if it has no parameters.
+ * structure of the command, or NULL if it has no parameters. A request that still waits in this
+ * client is cancelled first; one that waits in another client must be cancelled there before.
  */
 MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                                  struct mip_builder *packet, const struct mip_command *command,
@@ -134,8 +137,15 @@ MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request 
                                   uint32_t now);
 
 /**
- * Processes a received packet. True if it answered any request; data and late answers have no
- * effect. The answered requests are no longer waiting.
+ * Processes a received packet. True if it answered any request; the answered requests are no longer
+ * waiting. Data has no effect.
+ *
+ * An answer belongs to the oldest waiting request of the command whose descriptor it echoes, if its
+ * response is of a type that the request expects. MIP has no other mark: the late answer to a
+ * request that has timed out or was cancelled answers the next one of the same command, even if
+ * that one asks for other values, for example for another descriptor set. It has no effect if no
+ * request of its command waits. To be sure, compare what a response repeats of the command, or wait
+ * before a command is sent again.
  */
 MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 

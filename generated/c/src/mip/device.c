@@ -19,7 +19,7 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
     device->heard = 0;
     device->missed = 0;
     device->owed = false;
-    device->busy = false;
+    device->packet = NULL;
     mip_client_init(&device->client);
     mip_parser_init(&device->parser);
 }
@@ -44,9 +44,9 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
             left--;
         }
         if (left > 0 && h->handle != NULL) {
-            device->busy = true;
+            device->packet = packet;
             h->handle(h->user, &field, device->heard);
-            device->busy = false;
+            device->packet = NULL;
         }
     }
 }
@@ -58,23 +58,24 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool 
     const uint8_t *data = bytes;
     struct mip_packet packet;
     size_t size = 0;
-    const bool open = port->read(port->user, bytes, room, &size) && size <= room;
+    bool open = port->read(port->user, bytes, room, &size);
     const uint32_t now = port->now(port->user);
-    if (!open) {
+    if (size > room) { /* what has been read is not known */
         size = 0;
+        open = false;
     }
     *came = size > 0;
     if (*came) {
         device->heard = now;
-    } else if (!open ||
-               (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence)) {
-        while (mip_parser_flush(&device->parser, &packet)) {
-            handle(device, &packet);
-        }
     }
+    const bool ended =
+        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
     /* If there was no room for more, the answer may already be waiting after what was read. */
-    const uint32_t passed = size < room ? now : now - MIP_DEFAULT_TIMEOUT;
+    const uint32_t timeout = device->client.timeout;
+    const uint32_t grace = timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
+    const uint32_t passed = size < room ? now : now - grace;
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
+           (ended && mip_parser_flush(&device->parser, &packet)) ||
            mip_client_poll(&device->client, &device->parser, passed, &packet)) {
         handle(device, &packet);
     }
@@ -84,7 +85,7 @@ static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool 
 bool mip_device_poll(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_PACKET];
     bool came;
-    return device->busy || update(device, bytes, sizeof(bytes), &came);
+    return device->packet != NULL || update(device, bytes, sizeof(bytes), &came);
 }
 
 /** Reads and handles what has arrived; not for ever, because more may be arriving. */
@@ -144,7 +145,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what is received */
     struct mip_builder builder;
     struct mip_request request;
-    if (device->busy) {
+    if (device->packet != NULL) {
         if (response != NULL) {
             memset(response, 0, codec->size);
         }

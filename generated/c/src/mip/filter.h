@@ -28,7 +28,7 @@ extern "C" {
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
-enum mip_filter_dynamics_mode {
+enum mip_filter_dynamics_mode MIP_ENUM_8 {
     /** Carried by hand. */
     MIP_FILTER_DYNAMICS_MODE_PORTABLE = 1,
     /** Ground vehicle. */
@@ -63,7 +63,7 @@ typedef uint16_t mip_filter_estimated_states;
 /** Bit 6. Estimate the soft iron matrix of the magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
 /** Where the filter takes GNSS data from. */
-enum mip_filter_gnss_aiding_source {
+enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     /** All internal receivers. */
     MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
     /** GNSS measurements that the user sends. */
@@ -77,7 +77,7 @@ enum mip_filter_gnss_aiding_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
 /** The north that a heading refers to. */
-enum mip_filter_heading_type {
+enum mip_filter_heading_type MIP_ENUM_8 {
     /** True north. */
     MIP_FILTER_HEADING_TYPE_TRUE_HEADING = 1,
     /** Magnetic north. */
@@ -93,7 +93,7 @@ MIP_API const char *mip_filter_heading_type_name(uint8_t value);
  * - 3dm-gx5-45: (0x0D, 0x18)
  * - mip-sdk-4: Heading Source (0x0D,0x18)
  */
-enum mip_filter_heading_update_source {
+enum mip_filter_heading_update_source MIP_ENUM_8 {
     /** No heading updates. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_NONE = 0,
     /** The magnetometer. */
@@ -129,7 +129,7 @@ typedef uint16_t mip_filter_measurement_flags;
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
 /** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
-enum mip_filter_mag_parameter_source {
+enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     /** No source. Uncertain: What the device does without a source. */
     MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
     /** The World Magnetic Model, at the estimated position. */
@@ -141,7 +141,7 @@ enum mip_filter_mag_parameter_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 /** How measurements are weighted whose magnitude is not as expected. */
-enum mip_filter_adaptive_measurement_selector {
+enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
     /** Adapted by the limits that the command gives. */
@@ -157,7 +157,7 @@ MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value)
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
-enum mip_filter_altitude_aiding_source {
+enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE = 0,
     /** The pressure sensor. */
@@ -167,7 +167,7 @@ enum mip_filter_altitude_aiding_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
 /** What aids pitch and roll. */
-enum mip_filter_pitch_roll_aiding_source {
+enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** No aiding. */
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE = 0,
     /** The measured gravity vector. */
@@ -208,7 +208,7 @@ MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_accel_constraint {
+enum mip_filter_accel_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ACCEL_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -222,7 +222,7 @@ MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_velocity_constraint {
+enum mip_filter_velocity_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_VELOCITY_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -238,7 +238,7 @@ MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-enum mip_filter_angular_constraint {
+enum mip_filter_angular_constraint MIP_ENUM_8 {
     /** Nothing. */
     MIP_FILTER_ANGULAR_CONSTRAINT_NONE = 0,
     /** It is zero. */
@@ -248,7 +248,7 @@ enum mip_filter_angular_constraint {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device determines automatically and which the user provides. */
-enum mip_filter_initial_condition_source {
+enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /**
      * Position, velocity and attitude are automatic. Full name: auto_position_velocity_attitude.
      */
@@ -280,7 +280,7 @@ typedef uint8_t mip_filter_heading_alignment;
 /** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 /** Frame in which a position is given. */
-enum mip_filter_reference_frame {
+enum mip_filter_reference_frame MIP_ENUM_8 {
     /** Earth-centred, Earth-fixed coordinates (WGS84). */
     MIP_FILTER_REFERENCE_FRAME_ECEF = 1,
     /** Latitude, longitude and height above the ellipsoid (WGS84). */
@@ -290,7 +290,7 @@ enum mip_filter_reference_frame {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
 /** How strongly the filter adapts to inconsistent measurements. */
-enum mip_filter_adaptive_level {
+enum mip_filter_adaptive_level MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
     /** Little adaptation. */
@@ -304,7 +304,7 @@ enum mip_filter_adaptive_level {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 /** Where the reference of relative positions comes from. */
-enum mip_filter_relative_position_source {
+enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
     /** The coordinates that the command gives. */
@@ -314,7 +314,7 @@ enum mip_filter_relative_position_source {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 /** A point of reference. */
-enum mip_filter_reference_point {
+enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
 };
@@ -439,7 +439,14 @@ static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     mip_put_float(data + 8, &value->heading);
     return MIP_OK;
 }
-/** Set initial attitude. Fills the structure and returns its address. */
+/**
+ * Set initial attitude. Fills the structure and returns its address.
+ *
+ * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793.
+ */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -517,7 +524,12 @@ static inline mip_error mip_filter_set_initial_heading_encode_inline(
     mip_put_float(data, &value->heading);
     return MIP_OK;
 }
-/** Set initial heading. Fills the structure and returns its address. */
+/**
+ * Set initial heading. Fills the structure and returns its address.
+ *
+ * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793.
+ */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -612,7 +624,13 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
+ *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+ *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
+ */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -765,7 +783,13 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - roll: Roll angle. Unit: rad. Required for write.
+ * - pitch: Pitch angle. Unit: rad. Required for write.
+ * - yaw: Yaw angle. Unit: rad. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
     struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -927,7 +951,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+ *   sensor. Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1083,7 +1112,13 @@ static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+ *   sensor.
+ */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1239,7 +1274,18 @@ static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+ *   3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+ *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
+ *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+ */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1386,7 +1432,13 @@ static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gn
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
+ *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+ */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1588,7 +1640,20 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
     }
     return MIP_OK;
 }
-/** External GNSS update. Fills the structure and returns its address. */
+/**
+ * External GNSS update. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week. Unit: s.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - latitude: Latitude. Unit: deg. Frame: llh.
+ * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
+ *   Frame: ned.
+ * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
+ *   m/s. Frame: ned.
+ */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1691,7 +1756,15 @@ static inline mip_error mip_filter_external_heading_update_encode_inline(
     mip_put_8(data + 8, value->type);
     return MIP_OK;
 }
-/** External heading update. Fills the structure and returns its address. */
+/**
+ * External heading update. Fills the structure and returns its address.
+ *
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793.
+ * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1755,7 +1828,19 @@ static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
+ *   write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
+ *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
+ *   3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
+ *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
+ *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -1897,7 +1982,11 @@ static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -2052,7 +2141,12 @@ static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_ac
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2203,7 +2297,12 @@ static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyr
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2356,7 +2455,14 @@ static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2521,7 +2627,14 @@ static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2682,7 +2795,13 @@ static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
+ *   write.
+ */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2880,7 +2999,17 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
     mip_put_8(data + 18, value->type);
     return MIP_OK;
 }
-/** External heading update with time. Fills the structure and returns its address. */
+/**
+ * External heading update with time. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793.
+ * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -2946,7 +3075,13 @@ static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -3097,7 +3232,11 @@ static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - axes: Axes to tare; 0 resets all axes. Required for write.
+ */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -3325,7 +3464,16 @@ static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
+ *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
+ *   level.
+ */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3574,7 +3722,12 @@ static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
+ *   for write.
+ */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3723,7 +3876,11 @@ static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
+ */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -3868,7 +4025,12 @@ static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4017,7 +4179,12 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Range: greater than 0. Required for write.
+ */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -4168,7 +4335,12 @@ static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+ *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+ */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -4312,7 +4484,12 @@ static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4469,7 +4646,16 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+ * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
+ *   required only if it is, but gives one length.
+ */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4670,7 +4856,15 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+ */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -4882,7 +5076,31 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   response.
+ * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+ *   and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+ *   and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Required for write. Uncertain:
+ *   The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+ *   in the response.
+ */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -5100,7 +5318,18 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: Whether the adaptation is on. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Required for write. Uncertain: The
+ *   unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -5280,7 +5509,12 @@ static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -5424,7 +5658,12 @@ static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -5575,7 +5814,14 @@ static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write.
+ * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -5745,7 +5991,14 @@ static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
+ *   write.
+ * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -5915,7 +6168,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
     struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -6079,7 +6337,12 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+ *   1.001. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
@@ -6243,7 +6506,15 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ * - enable: Whether the filter uses the source. Required for write.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            uint16_t aiding_source, mip_bool enable) {
@@ -6253,7 +6524,14 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = enable;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6262,7 +6540,14 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6271,7 +6556,14 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6280,7 +6572,14 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
                                              uint16_t aiding_source) {
@@ -6415,7 +6714,17 @@ static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - accel_constraint: Assumption about the acceleration. A value of enum
+ *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
+ * - velocity_constraint: Assumption about the velocity. A value of enum
+ *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+ *   write.
+ * - angular_constraint: Assumption about the angular rate. A value of enum
+ *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
+ */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -6620,7 +6929,29 @@ static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
+ *   it can. Range: 0 to 1. Required for write.
+ * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
+ *   value of enum mip_filter_initial_condition_source. Required for write.
+ * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
+ *   Required for write.
+ * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
+ * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
+ * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
+ * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
+ *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+ *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
+ *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
+ *   frame ned.
+ * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
+ *   mip_filter_reference_frame. Required for write.
+ */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -6838,7 +7169,15 @@ static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
+ *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+ *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+ * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
+ *   ms. Required for write.
+ */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -6989,7 +7328,13 @@ static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -6999,7 +7344,11 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7007,7 +7356,11 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_save(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7015,7 +7368,11 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_load(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7023,7 +7380,11 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_default(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7158,7 +7519,18 @@ static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
+ *   Required for write.
+ * - reference_frame_selector: Frame of the coordinates. A value of enum mip_filter_reference_frame.
+ *   Required for write.
+ * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -7334,7 +7706,14 @@ static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
+ *   Required for write.
+ * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -7527,7 +7906,13 @@ static inline mip_error mip_filter_speed_measurement_encode_inline(
     mip_put_float(data + 9, &value->speed_uncertainty);
     return MIP_OK;
 }
-/** Speed measurement. Fills the structure and returns its address. */
+/**
+ * Speed measurement. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none.
+ * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s.
+ */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -7588,7 +7973,12 @@ static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Required for write.
+ */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -7746,7 +8136,11 @@ static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
     struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -7894,7 +8288,11 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
                                             uint8_t enable) {
@@ -8050,7 +8448,13 @@ static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
+ *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
+ */
 static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
     struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));

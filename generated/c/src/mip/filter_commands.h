@@ -48,7 +48,14 @@ static inline mip_error mip_send_filter_set_initial_attitude(
                            command, NULL, NULL, now);
 }
 
-/** Set initial attitude. See mip_device_call. */
+/**
+ * Set initial attitude. See mip_device_call.
+ *
+ * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793.
+ */
 static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
                                                                      float roll, float pitch,
                                                                      float heading) {
@@ -80,7 +87,12 @@ static inline mip_error mip_send_filter_set_initial_heading(
                            command, NULL, NULL, now);
 }
 
-/** Set initial heading. See mip_device_call. */
+/**
+ * Set initial heading. See mip_device_call.
+ *
+ * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793.
+ */
 static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
                                                                     float heading) {
     struct mip_filter_set_initial_heading command;
@@ -130,7 +142,13 @@ static inline mip_error mip_send_filter_vehicle_dynamics_mode(
                            now);
 }
 
-/** Vehicle dynamics mode: write. Apply the new setting. See mip_device_call. */
+/**
+ * Vehicle dynamics mode: write. Apply the new setting. See mip_device_call.
+ *
+ * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
+ *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+ *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
+ */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
     struct mip_device *device, enum mip_filter_dynamics_mode mode) {
     struct mip_filter_vehicle_dynamics_mode command;
@@ -202,7 +220,13 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
                            now);
 }
 
-/** Sensor to vehicle frame transformation: write. Apply the new setting. See mip_device_call. */
+/**
+ * Sensor to vehicle frame transformation: write. Apply the new setting. See mip_device_call.
+ *
+ * - roll: Roll angle. Unit: rad. Required for write.
+ * - pitch: Pitch angle. Unit: rad. Required for write.
+ * - yaw: Yaw angle. Unit: rad. Required for write.
+ */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
     struct mip_device *device, float roll, float pitch, float yaw) {
     struct mip_filter_sensor_to_vehicle_euler command;
@@ -280,7 +304,12 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
                            now);
 }
 
-/** Sensor to vehicle offset: write. Apply the new setting. See mip_device_call. */
+/**
+ * Sensor to vehicle offset: write. Apply the new setting. See mip_device_call.
+ *
+ * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+ *   sensor. Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const float offset[3]) {
     struct mip_filter_sensor_to_vehicle_offset command;
@@ -352,7 +381,13 @@ static inline mip_error mip_send_filter_antenna_offset(
                            &mip_filter_antenna_offset_response_codec, response, now);
 }
 
-/** GNSS antenna offset: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS antenna offset: write. Apply the new setting. See mip_device_call.
+ *
+ * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+ *   sensor.
+ */
 static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
                                                                      const float offset[3]) {
     struct mip_filter_antenna_offset command;
@@ -418,7 +453,18 @@ static inline mip_error mip_send_filter_estimation_control(
                            &mip_filter_estimation_control_response_codec, response, now);
 }
 
-/** Estimation control flags: write. Apply the new setting. See mip_device_call. */
+/**
+ * Estimation control flags: write. Apply the new setting. See mip_device_call.
+ *
+ * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+ *   3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+ *   the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
+ *   and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+ */
 static inline struct mip_result mip_call_filter_estimation_control_write(
     struct mip_device *device, mip_filter_estimated_states flags) {
     struct mip_filter_estimation_control command;
@@ -488,7 +534,13 @@ static inline mip_error mip_send_filter_gnss_source(
                            &mip_filter_gnss_source_response_codec, response, now);
 }
 
-/** GNSS aiding source: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS aiding source: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
+ *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+ */
 static inline struct mip_result mip_call_filter_gnss_source_write(
     struct mip_device *device, enum mip_filter_gnss_aiding_source source) {
     struct mip_filter_gnss_source command;
@@ -552,7 +604,20 @@ static inline mip_error mip_send_filter_external_gnss_update(
                            command, NULL, NULL, now);
 }
 
-/** External GNSS update. See mip_device_call. */
+/**
+ * External GNSS update. See mip_device_call.
+ *
+ * - tow: GPS time of week. Unit: s.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - latitude: Latitude. Unit: deg. Frame: llh.
+ * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
+ *   Frame: ned.
+ * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
+ *   m/s. Frame: ned.
+ */
 static inline struct mip_result mip_call_filter_external_gnss_update(
     struct mip_device *device, double tow, uint16_t week_number, double latitude, double longitude,
     double height, const float velocity[3], const float position_uncertainty[3],
@@ -588,7 +653,15 @@ static inline mip_error mip_send_filter_external_heading_update(
                            command, NULL, NULL, now);
 }
 
-/** External heading update. See mip_device_call. */
+/**
+ * External heading update. See mip_device_call.
+ *
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793.
+ * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_result mip_call_filter_external_heading_update(
     struct mip_device *device, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -624,7 +697,19 @@ static inline mip_error mip_send_filter_heading_source(
                            &mip_filter_heading_source_response_codec, response, now);
 }
 
-/** Heading update control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Heading update control: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
+ *   write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE
+ *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
+ *   3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
+ *   and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
+ *   only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ *   On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ */
 static inline struct mip_result mip_call_filter_heading_source_write(
     struct mip_device *device, enum mip_filter_heading_update_source source) {
     struct mip_filter_heading_source command;
@@ -693,7 +778,11 @@ static inline mip_error mip_send_filter_auto_initialization_control(
                            response, now);
 }
 
-/** Automatic initialization: write. Apply the new setting. See mip_device_call. */
+/**
+ * Automatic initialization: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_auto_initialization_control_write(struct mip_device *device, uint8_t enable) {
     struct mip_filter_auto_initialization_control command;
@@ -766,7 +855,12 @@ static inline mip_error mip_send_filter_accel_noise(
                            &mip_filter_accel_noise_response_codec, response, now);
 }
 
-/** Accelerometer noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Accelerometer noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_device *device,
                                                                   const float noise[3]) {
     struct mip_filter_accel_noise command;
@@ -834,7 +928,12 @@ static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
                            &mip_filter_gyro_noise_response_codec, response, now);
 }
 
-/** Gyroscope noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Gyroscope noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_device *device,
                                                                  const float noise[3]) {
     struct mip_filter_gyro_noise command;
@@ -898,7 +997,14 @@ static inline mip_error mip_send_filter_accel_bias_model(
                            &mip_filter_accel_bias_model_response_codec, response, now);
 }
 
-/** Accelerometer bias model: write. Apply the new setting. See mip_device_call. */
+/**
+ * Accelerometer bias model: write. Apply the new setting. See mip_device_call.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mip_device *device,
                                                                        const float beta[3],
                                                                        const float noise[3]) {
@@ -969,7 +1075,14 @@ static inline mip_error mip_send_filter_gyro_bias_model(
                            &mip_filter_gyro_bias_model_response_codec, response, now);
 }
 
-/** Gyroscope bias model: write. Apply the new setting. See mip_device_call. */
+/**
+ * Gyroscope bias model: write. Apply the new setting. See mip_device_call.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip_device *device,
                                                                       const float beta[3],
                                                                       const float noise[3]) {
@@ -1039,7 +1152,13 @@ static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
                            &mip_filter_auto_zupt_response_codec, response, now);
 }
 
-/** Automatic zero velocity update: write. Apply the new setting. See mip_device_call. */
+/**
+ * Automatic zero velocity update: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
+ *   write.
+ */
 static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_device *device,
                                                                 uint8_t enable, float threshold) {
     struct mip_filter_auto_zupt command;
@@ -1111,7 +1230,17 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
                            NULL, now);
 }
 
-/** External heading update with time. See mip_device_call. */
+/**
+ * External heading update with time. See mip_device_call.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793.
+ * - heading_uncertainty: Standard deviation; the device refuses a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_result mip_call_filter_external_heading_update_with_time(
     struct mip_device *device, double tow, uint16_t week_number, float heading,
     float heading_uncertainty, enum mip_filter_heading_type type) {
@@ -1147,7 +1276,13 @@ static inline mip_error mip_send_filter_auto_angular_zupt(
                            &mip_filter_auto_angular_zupt_response_codec, response, now);
 }
 
-/** Zero angular rate update: write. Apply the new setting. See mip_device_call. */
+/**
+ * Zero angular rate update: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
+ *   Required for write.
+ */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct mip_device *device,
                                                                         uint8_t enable,
                                                                         float threshold) {
@@ -1219,7 +1354,11 @@ static inline mip_error mip_send_filter_tare_orientation(
                            &mip_filter_tare_orientation_response_codec, response, now);
 }
 
-/** Tare orientation: write. Apply the new setting. See mip_device_call. */
+/**
+ * Tare orientation: write. Apply the new setting. See mip_device_call.
+ *
+ * - axes: Axes to tare; 0 resets all axes. Required for write.
+ */
 static inline struct mip_result mip_call_filter_tare_orientation_write(struct mip_device *device,
                                                                        mip_filter_tare_axes axes) {
     struct mip_filter_tare_orientation command;
@@ -1323,7 +1462,16 @@ static inline mip_error mip_send_filter_reference_position(
                            &mip_filter_reference_position_response_codec, response, now);
 }
 
-/** Set reference position: write. Apply the new setting. See mip_device_call. */
+/**
+ * Set reference position: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
+ *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
+ *   level.
+ */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
     struct mip_filter_reference_position command;
@@ -1439,7 +1587,12 @@ static inline mip_error mip_send_filter_gravity_noise(
                            &mip_filter_gravity_noise_response_codec, response, now);
 }
 
-/** Gravity noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Gravity noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
+ *   for write.
+ */
 static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_device *device,
                                                                     const float noise[3]) {
     struct mip_filter_gravity_noise command;
@@ -1504,7 +1657,11 @@ static inline mip_error mip_send_filter_pressure_altitude_noise(
                            now);
 }
 
-/** Pressure altitude noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Pressure altitude noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation. Unit: m. Range: greater than 0. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float noise) {
     struct mip_filter_pressure_altitude_noise command;
@@ -1575,7 +1732,12 @@ static inline mip_error mip_send_filter_hard_iron_offset_noise(
                            now);
 }
 
-/** Hard iron offset noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Hard iron offset noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const float noise[3]) {
     struct mip_filter_hard_iron_offset_noise command;
@@ -1646,7 +1808,12 @@ static inline mip_error mip_send_filter_soft_iron_matrix_noise(
                            now);
 }
 
-/** Soft iron matrix noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Soft iron matrix noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Range: greater than 0. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const float noise[9]) {
     struct mip_filter_soft_iron_matrix_noise command;
@@ -1717,7 +1884,12 @@ static inline mip_error mip_send_filter_enable_measurements(
                            command, &mip_filter_enable_measurements_response_codec, response, now);
 }
 
-/** Enable or disable measurements: write. Apply the new setting. See mip_device_call. */
+/**
+ * Enable or disable measurements: write. Apply the new setting. See mip_device_call.
+ *
+ * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+ *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+ */
 static inline struct mip_result mip_call_filter_enable_measurements_write(
     struct mip_device *device, mip_filter_measurement_flags control) {
     struct mip_filter_enable_measurements command;
@@ -1794,7 +1966,12 @@ static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
                            &mip_filter_mag_noise_response_codec, response, now);
 }
 
-/** Magnetometer noise: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetometer noise: write. Apply the new setting. See mip_device_call.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_device *device,
                                                                 const float noise[3]) {
     struct mip_filter_mag_noise command;
@@ -1861,7 +2038,16 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
                            response, now);
 }
 
-/** Magnetic declination source: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetic declination source: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+ * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
+ *   required only if it is, but gives one length.
+ */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
     struct mip_filter_magnetic_declination_source command;
@@ -1938,6 +2124,12 @@ static inline mip_error mip_send_filter_accel_magnitude_adaptive(
 
 /**
  * Gravity magnitude error adaptive measurement: write. Apply the new setting. See mip_device_call.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -2022,6 +2214,28 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
 /**
  * Magnetometer magnitude error adaptive measurement: write. Apply the new setting. See
  * mip_device_call.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   response.
+ * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+ *   and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
+ *   and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Required for write. Uncertain:
+ *   The unit. The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+ *   in the response.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,
@@ -2111,6 +2325,15 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
 /**
  * Magnetometer dip angle error adaptive measurement: write. Apply the new setting. See
  * mip_device_call.
+ *
+ * - enable: Whether the adaptation is on. Required for write.
+ * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Required for write.
+ * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
+ *   SDK gives m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Required for write.
+ *   Uncertain: The unit. The SDK gives m/s^2; rad is inferred from the quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Required for write. Uncertain: The
+ *   unit. The SDK gives m/s^2; rad is inferred from the quantity.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
     struct mip_device *device, mip_bool enable, float frequency, float high_limit,
@@ -2194,7 +2417,12 @@ static inline mip_error mip_send_filter_altitude_aiding(
                            &mip_filter_altitude_aiding_response_codec, response, now);
 }
 
-/** Altitude aiding: write. Apply the new setting. See mip_device_call. */
+/**
+ * Altitude aiding: write. Apply the new setting. See mip_device_call.
+ *
+ * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_result mip_call_filter_altitude_aiding_write(
     struct mip_device *device, enum mip_filter_altitude_aiding_source selector) {
     struct mip_filter_altitude_aiding command;
@@ -2258,7 +2486,12 @@ static inline mip_error mip_send_filter_pitch_roll_aiding(
                            &mip_filter_pitch_roll_aiding_response_codec, response, now);
 }
 
-/** Pitch and roll aiding: write. Apply the new setting. See mip_device_call. */
+/**
+ * Pitch and roll aiding: write. Apply the new setting. See mip_device_call.
+ *
+ * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
     struct mip_device *device, enum mip_filter_pitch_roll_aiding_source aiding) {
     struct mip_filter_pitch_roll_aiding command;
@@ -2327,7 +2560,14 @@ static inline mip_error mip_send_filter_magnetic_inclination_source(
                            response, now);
 }
 
-/** Magnetic inclination source: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetic inclination source: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write.
+ * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float inclination) {
     struct mip_filter_magnetic_inclination_source command;
@@ -2402,7 +2642,14 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
                            now);
 }
 
-/** Magnetic field magnitude source: write. Apply the new setting. See mip_device_call. */
+/**
+ * Magnetic field magnitude source: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
+ *   write.
+ * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
     struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {
     struct mip_filter_magnetic_magnitude_source command;
@@ -2480,7 +2727,12 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
                            now);
 }
 
-/** Sensor to vehicle rotation, matrix: write. Apply the new setting. See mip_device_call. */
+/**
+ * Sensor to vehicle rotation, matrix: write. Apply the new setting. See mip_device_call.
+ *
+ * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const float dcm[9]) {
     struct mip_filter_sensor_to_vehicle_dcm command;
@@ -2558,7 +2810,12 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
                            &mip_filter_sensor_to_vehicle_quaternion_response_codec, response, now);
 }
 
-/** Sensor to vehicle rotation, quaternion: write. Apply the new setting. See mip_device_call. */
+/**
+ * Sensor to vehicle rotation, quaternion: write. Apply the new setting. See mip_device_call.
+ *
+ * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+ *   1.001. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
     struct mip_filter_sensor_to_vehicle_quaternion command;
@@ -2635,7 +2892,15 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
                            now);
 }
 
-/** Aiding measurement control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Aiding measurement control: write. Apply the new setting. See mip_device_call.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ * - enable: Whether the filter uses the source. Required for write.
+ */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
     struct mip_device *device, uint16_t aiding_source, mip_bool enable) {
     struct mip_filter_aiding_measurement_enable command;
@@ -2646,6 +2911,11 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
 
 /**
  * Aiding measurement control: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     struct mip_device *device, uint16_t aiding_source,
@@ -2659,6 +2929,11 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
 /**
  * Aiding measurement control: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
  */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16_t aiding_source) {
@@ -2668,7 +2943,14 @@ mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16
                            NULL);
 }
 
-/** Aiding measurement control: load. Load the saved setting. See mip_device_call. */
+/**
+ * Aiding measurement control: load. Load the saved setting. See mip_device_call.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_result
 mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16_t aiding_source) {
     struct mip_filter_aiding_measurement_enable command;
@@ -2677,7 +2959,14 @@ mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16
                            NULL);
 }
 
-/** Aiding measurement control: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Aiding measurement control: default. Load the factory default setting. See mip_device_call.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR:
+ *   only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+ */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_default(
     struct mip_device *device, uint16_t aiding_source) {
     struct mip_filter_aiding_measurement_enable command;
@@ -2712,7 +3001,17 @@ static inline mip_error mip_send_filter_kinematic_constraint(
                            command, &mip_filter_kinematic_constraint_response_codec, response, now);
 }
 
-/** Kinematic constraint: write. Apply the new setting. See mip_device_call. */
+/**
+ * Kinematic constraint: write. Apply the new setting. See mip_device_call.
+ *
+ * - accel_constraint: Assumption about the acceleration. A value of enum
+ *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
+ * - velocity_constraint: Assumption about the velocity. A value of enum
+ *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+ *   write.
+ * - angular_constraint: Assumption about the angular rate. A value of enum
+ *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
+ */
 static inline struct mip_result mip_call_filter_kinematic_constraint_write(
     struct mip_device *device, enum mip_filter_accel_constraint accel_constraint,
     enum mip_filter_velocity_constraint velocity_constraint,
@@ -2787,7 +3086,29 @@ static inline mip_error mip_send_filter_initialization_config(
                            now);
 }
 
-/** Navigation filter initialization: write. Apply the new setting. See mip_device_call. */
+/**
+ * Navigation filter initialization: write. Apply the new setting. See mip_device_call.
+ *
+ * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
+ *   it can. Range: 0 to 1. Required for write.
+ * - initial_condition_source: Which initial conditions are automatic and which the user provides. A
+ *   value of enum mip_filter_initial_condition_source. Required for write.
+ * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
+ *   Required for write.
+ * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
+ * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
+ * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
+ * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
+ *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+ *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
+ *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
+ *   frame ned.
+ * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
+ *   mip_filter_reference_frame. Required for write.
+ */
 static inline struct mip_result mip_call_filter_initialization_config_write(
     struct mip_device *device, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -2872,7 +3193,15 @@ static inline mip_error mip_send_filter_adaptive_filter_options(
                            now);
 }
 
-/** Adaptive filter control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Adaptive filter control: write. Apply the new setting. See mip_device_call.
+ *
+ * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
+ *   Required for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+ *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+ * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
+ *   ms. Required for write.
+ */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
     struct mip_device *device, enum mip_filter_adaptive_level level, uint16_t time_limit) {
     struct mip_filter_adaptive_filter_options command;
@@ -2943,7 +3272,13 @@ static inline mip_error mip_send_filter_multi_antenna_offset(
                            command, &mip_filter_multi_antenna_offset_response_codec, response, now);
 }
 
-/** GNSS multi-antenna offset: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS multi-antenna offset: write. Apply the new setting. See mip_device_call.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
     struct mip_device *device, uint8_t receiver_id, const float antenna_offset[3]) {
     struct mip_filter_multi_antenna_offset command;
@@ -2954,6 +3289,8 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
 
 /**
  * GNSS multi-antenna offset: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     struct mip_device *device, uint8_t receiver_id,
@@ -2967,6 +3304,8 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
 /**
  * GNSS multi-antenna offset: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct mip_device *device,
                                                                           uint8_t receiver_id) {
@@ -2975,7 +3314,11 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct
                            mip_filter_multi_antenna_offset_save(&command, receiver_id), NULL, NULL);
 }
 
-/** GNSS multi-antenna offset: load. Load the saved setting. See mip_device_call. */
+/**
+ * GNSS multi-antenna offset: load. Load the saved setting. See mip_device_call.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct mip_device *device,
                                                                           uint8_t receiver_id) {
     struct mip_filter_multi_antenna_offset command;
@@ -2983,7 +3326,11 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct
                            mip_filter_multi_antenna_offset_load(&command, receiver_id), NULL, NULL);
 }
 
-/** GNSS multi-antenna offset: default. Load the factory default setting. See mip_device_call. */
+/**
+ * GNSS multi-antenna offset: default. Load the factory default setting. See mip_device_call.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ */
 static inline struct mip_result
 mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t receiver_id) {
     struct mip_filter_multi_antenna_offset command;
@@ -3020,7 +3367,18 @@ static inline mip_error mip_send_filter_relative_position_config(
                            now);
 }
 
-/** Relative position configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Relative position configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
+ *   Required for write.
+ * - reference_frame_selector: Frame of the coordinates. A value of enum mip_filter_reference_frame.
+ *   Required for write.
+ * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ */
 static inline struct mip_result mip_call_filter_relative_position_config_write(
     struct mip_device *device, enum mip_filter_relative_position_source source,
     enum mip_filter_reference_frame reference_frame_selector,
@@ -3100,7 +3458,14 @@ static inline mip_error mip_send_filter_reference_point_lever_arm(
                            now);
 }
 
-/** Reference point lever arm: write. Apply the new setting. See mip_device_call. */
+/**
+ * Reference point lever arm: write. Apply the new setting. See mip_device_call.
+ *
+ * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
+ *   Required for write.
+ * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
     struct mip_device *device, enum mip_filter_reference_point reference_point,
     const float lever_arm_offset[3]) {
@@ -3173,7 +3538,13 @@ static inline mip_error mip_send_filter_speed_measurement(
                            NULL, NULL, now);
 }
 
-/** Speed measurement. See mip_device_call. */
+/**
+ * Speed measurement. See mip_device_call.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none.
+ * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s.
+ */
 static inline struct mip_result mip_call_filter_speed_measurement(struct mip_device *device,
                                                                   float tow, float speed,
                                                                   float speed_uncertainty) {
@@ -3207,7 +3578,12 @@ static inline mip_error mip_send_filter_speed_lever_arm(
                            &mip_filter_speed_lever_arm_response_codec, response, now);
 }
 
-/** Speed measurement lever arm: write. Apply the new setting. See mip_device_call. */
+/**
+ * Speed measurement lever arm: write. Apply the new setting. See mip_device_call.
+ *
+ * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lever_arm_offset[3]) {
     struct mip_filter_speed_lever_arm command;
@@ -3278,7 +3654,11 @@ static inline mip_error mip_send_filter_vertical_gyro_constraint(
                            now);
 }
 
-/** Vertical gyro constraint: write. Apply the new setting. See mip_device_call. */
+/**
+ * Vertical gyro constraint: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_t enable) {
     struct mip_filter_vertical_gyro_constraint command;
@@ -3351,7 +3731,11 @@ static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
                            now);
 }
 
-/** Wheeled vehicle constraint: write. Apply the new setting. See mip_device_call. */
+/**
+ * Wheeled vehicle constraint: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_result
 mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint8_t enable) {
     struct mip_filter_wheeled_vehicle_constraint command;
@@ -3425,7 +3809,13 @@ static inline mip_error mip_send_filter_gnss_antenna_calibration(
                            now);
 }
 
-/** GNSS antenna offset calibration: write. Apply the new setting. See mip_device_call. */
+/**
+ * GNSS antenna offset calibration: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
+ *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
+ */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
     struct mip_device *device, uint8_t enable, float max_offset) {
     struct mip_filter_gnss_antenna_calibration command;

@@ -75,7 +75,7 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
  *
  * - mip-sdk-4: Head Aid Status (0x82,0x45)
  */
-enum mip_filter_data_heading_aiding_type {
+enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
     /** Two GNSS antennas. */
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA = 1,
     /** A heading message of the user. */
@@ -88,7 +88,7 @@ MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
  * `aiding` that give the measurement. Full name: aiding_measurement_type.
  */
-enum mip_filter_data_aiding_type {
+enum mip_filter_data_aiding_type MIP_ENUM_8 {
     /** GNSS position and velocity. */
     MIP_FILTER_DATA_AIDING_TYPE_GNSS = 1,
     /** GNSS heading of two antennas. */
@@ -138,7 +138,7 @@ typedef uint8_t mip_filter_data_aiding_indicator;
 /** Bit 5. There are more measurements than the filter can take. */
 #define MIP_FILTER_DATA_AIDING_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 /** Kind of the heading solution of two antennas. */
-enum mip_filter_data_dual_antenna_fix_type {
+enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     /** No solution. */
     MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE = 0,
     /** Solution with float ambiguities. */
@@ -163,7 +163,7 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
-enum mip_filter_data_gx5_filter_state {
+enum mip_filter_data_gx5_filter_state MIP_ENUM_16 {
     /** The device is starting. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP = 0,
     /** Initialization; the status flags show what is missing. */
@@ -182,7 +182,7 @@ MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
  * - 3dm-cv7-gnss-ins: Filter States
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
-enum mip_filter_data_cv7_filter_state {
+enum mip_filter_data_cv7_filter_state MIP_ENUM_16 {
     /** Initialization; initial conditions are missing or the filter waits for a command. */
     MIP_FILTER_DATA_CV7_FILTER_STATE_INIT = 1,
     /** Vertical gyro: pitch and roll, and heading relative to the initial one. */
@@ -196,7 +196,7 @@ enum mip_filter_data_cv7_filter_state {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
 /** Motion for which the filter of a 5-series device is configured. */
-enum mip_filter_data_gx5_dynamics_mode {
+enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     /** Carried by hand. */
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE = 1,
     /** Ground vehicle. */
@@ -208,7 +208,7 @@ enum mip_filter_data_gx5_dynamics_mode {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
 /** Dynamics mode of a 7-series device; there is only one. */
-enum mip_filter_data_cv7_dynamics_mode {
+enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
     /** The only mode. */
     MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT = 1
 };
@@ -288,7 +288,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
  */
-enum mip_filter_data_filter_condition {
+enum mip_filter_data_filter_condition MIP_ENUM_8 {
     /** Estimates have settled and agree with the aiding measurements. */
     MIP_FILTER_DATA_FILTER_CONDITION_STABLE = 1,
     /** Estimates have not settled yet. */

@@ -64,7 +64,7 @@ typedef uint8_t mip_gnss_beidou_signals;
 /** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
 /** How SPARTN corrections are received. */
-enum mip_gnss_spartn_connection {
+enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
     MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
     /** Over a network. */
@@ -205,7 +205,14 @@ static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_sign
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - gps_enable: GPS signals. Required for write.
+ * - glonass_enable: GLONASS signals. Required for write.
+ * - galileo_enable: Galileo signals. Required for write.
+ * - beidou_enable: BeiDou signals. Required for write.
+ */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -371,7 +378,11 @@ static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -544,7 +555,22 @@ static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spar
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
+ * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
+ *   for write.
+ * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
+ *   write.
+ * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
+ *   for write.
+ * - current_key: Current key in ASCII digits. Required for write.
+ * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for write.
+ * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
+ *   write.
+ * - next_key: Next key in ASCII digits. Required for write.
+ */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],

@@ -150,7 +150,7 @@ typedef uint16_t mip_gnss_1_sv_info_flags;
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
 /** State of the receiver. */
-enum mip_gnss_1_receiver_state {
+enum mip_gnss_1_receiver_state MIP_ENUM_8 {
     /** Off. */
     MIP_GNSS_1_RECEIVER_STATE_OFF = 0,
     /** On. */
@@ -162,7 +162,7 @@ enum mip_gnss_1_receiver_state {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_1_receiver_state_name(uint8_t value);
 /** State of the antenna. */
-enum mip_gnss_1_antenna_state {
+enum mip_gnss_1_antenna_state MIP_ENUM_8 {
     /** Being initialized. */
     MIP_GNSS_1_ANTENNA_STATE_INIT = 1,
     /** Short circuit. */
@@ -178,7 +178,7 @@ enum mip_gnss_1_antenna_state {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_1_antenna_state_name(uint8_t value);
 /** Supply of the antenna. */
-enum mip_gnss_1_antenna_power {
+enum mip_gnss_1_antenna_power MIP_ENUM_8 {
     /** Off. */
     MIP_GNSS_1_ANTENNA_POWER_OFF = 0,
     /** On. */
@@ -240,7 +240,7 @@ typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
 /** Bit 1. Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 /** Satellite based augmentation system. */
-enum mip_gnss_1_sbas_system {
+enum mip_gnss_1_sbas_system MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_1_SBAS_SYSTEM_UNKNOWN = 0,
     /** North America. */
@@ -292,7 +292,7 @@ typedef uint16_t mip_gnss_1_sbas_correction_flags;
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
 /** Frequency band of GNSS signals. */
-enum mip_gnss_1_rf_band {
+enum mip_gnss_1_rf_band MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_1_RF_BAND_UNKNOWN = 0,
     /** L1. */
@@ -306,7 +306,7 @@ enum mip_gnss_1_rf_band {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_1_rf_band_name(uint8_t value);
 /** How much the reception is jammed. */
-enum mip_gnss_1_jamming_state {
+enum mip_gnss_1_jamming_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_1_JAMMING_STATE_UNKNOWN = 0,
     /** Not at all. */
@@ -320,7 +320,7 @@ enum mip_gnss_1_jamming_state {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_1_jamming_state_name(uint8_t value);
 /** How much the signals are spoofed. */
-enum mip_gnss_1_spoofing_state {
+enum mip_gnss_1_spoofing_state MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_1_SPOOFING_STATE_UNKNOWN = 0,
     /** Not at all. */
@@ -362,7 +362,7 @@ typedef uint16_t mip_gnss_1_satellite_status_flags;
 /** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 /** How well a signal is tracked. */
-enum mip_gnss_1_signal_quality {
+enum mip_gnss_1_signal_quality MIP_ENUM_8 {
     /** No signal. */
     MIP_GNSS_1_SIGNAL_QUALITY_NONE = 0,
     /** The signal is being searched for. */
@@ -502,7 +502,7 @@ typedef uint16_t mip_gnss_1_ephemeris_flags;
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
 /** Generation of a GLONASS satellite. */
-enum mip_gnss_1_glonass_satellite_type {
+enum mip_gnss_1_glonass_satellite_type MIP_ENUM_8 {
     /** GLONASS. */
     MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS = 0,
     /** GLONASS-M. */

@@ -52,7 +52,14 @@ static inline mip_error mip_send_gnss_signal_config(
                            &mip_gnss_signal_config_response_codec, response, now);
 }
 
-/** Signal configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * Signal configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - gps_enable: GPS signals. Required for write.
+ * - glonass_enable: GLONASS signals. Required for write.
+ * - galileo_enable: Galileo signals. Required for write.
+ * - beidou_enable: BeiDou signals. Required for write.
+ */
 static inline struct mip_result mip_call_gnss_signal_config_write(
     struct mip_device *device, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -123,7 +130,11 @@ static inline mip_error mip_send_gnss_rtk_dongle_config(
                            &mip_gnss_rtk_dongle_config_response_codec, response, now);
 }
 
-/** RTK dongle configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * RTK dongle configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip_device *device,
                                                                       uint8_t enable) {
     struct mip_gnss_rtk_dongle_config command;
@@ -192,7 +203,22 @@ static inline mip_error mip_send_gnss_spartn_config(
                            &mip_gnss_spartn_config_response_codec, response, now);
 }
 
-/** SPARTN configuration: write. Apply the new setting. See mip_device_call. */
+/**
+ * SPARTN configuration: write. Apply the new setting. See mip_device_call.
+ *
+ * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
+ * - type: How the corrections are received. A value of enum mip_gnss_spartn_connection. Required
+ *   for write.
+ * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
+ *   write.
+ * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
+ *   for write.
+ * - current_key: Current key in ASCII digits. Required for write.
+ * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for write.
+ * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
+ *   write.
+ * - next_key: Next key in ASCII digits. Required for write.
+ */
 static inline struct mip_result mip_call_gnss_spartn_config_write(
     struct mip_device *device, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],

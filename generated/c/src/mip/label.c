@@ -13,11 +13,15 @@ const char *mip_names_label(const struct mip_names *names, size_t index) {
 }
 
 uint64_t mip_names_number(const struct mip_names *names, size_t index) {
-    const uint8_t *at = (const uint8_t *)names->numbers + index * names->size;
+    const uint8_t *at = (const uint8_t *)names->numbers;
     uint8_t byte = 0;
     uint16_t half = 0;
     uint32_t word = 0;
     uint64_t twice = 0;
+    if (at == NULL) { /* a bitfield */
+        return 0;
+    }
+    at += index * names->size;
     switch (names->size) {
     case 1:
         memcpy(&byte, at, sizeof(byte));

@@ -143,7 +143,8 @@ extern MIP_API const struct mip_profile *const mip_profiles[];
 /** The number of devices. */
 extern MIP_API const size_t mip_profile_count;
 
-/** A device by its id ("3dm-gx5-15"), its title or another name; NULL if it is unknown. */
+/** A device by its id ("3dm-gx5-15"), its title or another name, as the device information has it:
+ * spaces around it do not matter. NULL if it is unknown. */
 MIP_API const struct mip_profile *mip_profile_find(const char *name);
 
 /** A device by its model number; NULL if it is unknown, for example of a newer device. */

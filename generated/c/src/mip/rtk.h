@@ -26,7 +26,7 @@ extern "C" {
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
-enum mip_rtk_connected_device {
+enum mip_rtk_connected_device MIP_ENUM_8 {
     /** Any device. */
     MIP_RTK_CONNECTED_DEVICE_GENERIC = 0,
     /** 3DM-GQ7. */
@@ -50,7 +50,7 @@ typedef uint8_t mip_rtk_service_flags;
  *
  * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
  */
-enum mip_rtk_storage_medium {
+enum mip_rtk_storage_medium MIP_ENUM_8 {
     /** External flash memory. */
     MIP_RTK_STORAGE_MEDIUM_EXTERNAL_FLASH = 0,
     /** SD card. */
@@ -64,7 +64,7 @@ MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
  *
  * - mip-sdk-4: Led Control (0x0F,0x21)
  */
-enum mip_rtk_led_action {
+enum mip_rtk_led_action MIP_ENUM_8 {
     /** No pattern. */
     MIP_RTK_LED_ACTION_NONE = 0,
     /** Flashing. */
@@ -619,7 +619,11 @@ static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - device_type: Type of the device. A value of enum mip_rtk_connected_device. Required for write.
+ */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
     memset(command, 0, sizeof(*command));
@@ -1123,7 +1127,11 @@ static inline mip_error mip_rtk_erase_storage_encode_inline(
     mip_put_8(data, value->media);
     return MIP_OK;
 }
-/** Erase storage. Fills the structure and returns its address. */
+/**
+ * Erase storage. Fills the structure and returns its address.
+ *
+ * - media: The medium. A value of enum mip_rtk_storage_medium.
+ */
 static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
     memset(command, 0, sizeof(*command));
@@ -1206,7 +1214,14 @@ static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_l
     mip_put_32(data + 7, value->period);
     return MIP_OK;
 }
-/** LED control. Fills the structure and returns its address. */
+/**
+ * LED control. Fills the structure and returns its address.
+ *
+ * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - action: Pattern. A value of enum mip_rtk_led_action.
+ * - period: Period of the pattern. Uncertain: The unit; ms is likely.
+ */
 static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     struct mip_rtk_led_control *command, const uint8_t primary_color[3],
     const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {

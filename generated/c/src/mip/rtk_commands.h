@@ -144,7 +144,11 @@ static inline mip_error mip_send_rtk_connected_device_type(
                            &mip_rtk_connected_device_type_response_codec, response, now);
 }
 
-/** Connected device type: write. Apply the new setting. See mip_device_call. */
+/**
+ * Connected device type: write. Apply the new setting. See mip_device_call.
+ *
+ * - device_type: Type of the device. A value of enum mip_rtk_connected_device. Required for write.
+ */
 static inline struct mip_result mip_call_rtk_connected_device_type_write(
     struct mip_device *device, enum mip_rtk_connected_device device_type) {
     struct mip_rtk_connected_device_type command;
@@ -278,7 +282,11 @@ static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
                            NULL, now);
 }
 
-/** Erase storage. See mip_device_call. */
+/**
+ * Erase storage. See mip_device_call.
+ *
+ * - media: The medium. A value of enum mip_rtk_storage_medium.
+ */
 static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *device,
                                                            enum mip_rtk_storage_medium media) {
     struct mip_rtk_erase_storage command;
@@ -308,7 +316,14 @@ static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
                            NULL, now);
 }
 
-/** LED control. See mip_device_call. */
+/**
+ * LED control. See mip_device_call.
+ *
+ * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - action: Pattern. A value of enum mip_rtk_led_action.
+ * - period: Period of the pattern. Uncertain: The unit; ms is likely.
+ */
 static inline struct mip_result mip_call_rtk_led_control(struct mip_device *device,
                                                          const uint8_t primary_color[3],
                                                          const uint8_t alternate_color[3],

@@ -36,7 +36,7 @@ typedef uint32_t mip_system_comm_protocols;
 /** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
 /** Which part of the device the host communicates with, and by which protocol. */
-enum mip_system_protocol_mode {
+enum mip_system_protocol_mode MIP_ENUM_8 {
     /** The device itself, MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
     /** The internal inertial sensor, MIP. */
@@ -111,7 +111,14 @@ static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ * - protocols_incoming: Protocols that it receives. Required for write.
+ * - protocols_outgoing: Protocols that it sends. Required for write.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -122,7 +129,12 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->protocols_outgoing = protocols_outgoing;
     return command;
 }
-/** Return the current setting in a response. Fills the structure and returns its address. */
+/**
+ * Return the current setting in a response. Fills the structure and returns its address.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -130,7 +142,12 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -138,7 +155,12 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -146,7 +168,12 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
     struct mip_system_interface_control *command, enum mip_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -277,7 +304,13 @@ static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+ */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));

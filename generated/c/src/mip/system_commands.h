@@ -31,7 +31,14 @@ static inline mip_error mip_send_system_interface_control(
                            &mip_system_interface_control_response_codec, response, now);
 }
 
-/** Interface control: write. Apply the new setting. See mip_device_call. */
+/**
+ * Interface control: write. Apply the new setting. See mip_device_call.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ * - protocols_incoming: Protocols that it receives. Required for write.
+ * - protocols_outgoing: Protocols that it sends. Required for write.
+ */
 static inline struct mip_result mip_call_system_interface_control_write(
     struct mip_device *device, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -42,7 +49,12 @@ static inline struct mip_result mip_call_system_interface_control_write(
         NULL, NULL);
 }
 
-/** Interface control: read. Return the current setting in a response. See mip_device_call. */
+/**
+ * Interface control: read. Return the current setting in a response. See mip_device_call.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_result
 mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_interface port,
                                        struct mip_system_interface_control_response *response) {
@@ -54,6 +66,9 @@ mip_call_system_interface_control_read(struct mip_device *device, enum mip_comm_
 
 /**
  * Interface control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
  */
 static inline struct mip_result
 mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_interface port) {
@@ -62,7 +77,12 @@ mip_call_system_interface_control_save(struct mip_device *device, enum mip_comm_
                            mip_system_interface_control_save(&command, port), NULL, NULL);
 }
 
-/** Interface control: load. Load the saved setting. See mip_device_call. */
+/**
+ * Interface control: load. Load the saved setting. See mip_device_call.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_result
 mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_interface port) {
     struct mip_system_interface_control command;
@@ -70,7 +90,12 @@ mip_call_system_interface_control_load(struct mip_device *device, enum mip_comm_
                            mip_system_interface_control_load(&command, port), NULL, NULL);
 }
 
-/** Interface control: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Interface control: default. Load the factory default setting. See mip_device_call.
+ *
+ * - port: The port. A value of enum mip_comm_interface. Uncertain: Whether write and read accept
+ *   `all`.
+ */
 static inline struct mip_result
 mip_call_system_interface_control_default(struct mip_device *device, enum mip_comm_interface port) {
     struct mip_system_interface_control command;
@@ -106,7 +131,13 @@ static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
                            &mip_system_comm_mode_response_codec, response, now);
 }
 
-/** Communication mode: write. Apply the new setting. See mip_device_call. */
+/**
+ * Communication mode: write. Apply the new setting. See mip_device_call.
+ *
+ * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+ */
 static inline struct mip_result
 mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_protocol_mode mode) {
     struct mip_system_comm_mode command;

@@ -542,7 +542,7 @@ static inline void mip_cv7_continuous_bit_set_receiver_2_no_solution(
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Types of triggers
  */
-enum mip_event_trigger_type {
+enum mip_event_trigger_type MIP_ENUM_8 {
     /** The slot is free. It is never active and cannot be enabled. */
     MIP_EVENT_TRIGGER_TYPE_NONE = 0,
     /** Watches a GPIO pin. */
@@ -562,7 +562,7 @@ MIP_API const char *mip_event_trigger_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Types of actions
  */
-enum mip_event_action_type {
+enum mip_event_action_type MIP_ENUM_8 {
     /** The slot is free. */
     MIP_EVENT_ACTION_TYPE_NONE = 0,
     /** Controls a GPIO pin. */
@@ -580,7 +580,7 @@ MIP_API const char *mip_event_action_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
  */
-enum mip_event_trigger_mode {
+enum mip_event_trigger_mode MIP_ENUM_8 {
     /** The trigger is never active. This is its mode after configuration. */
     MIP_EVENT_TRIGGER_MODE_DISABLED = 0,
     /** The trigger works as configured. */
@@ -613,7 +613,7 @@ typedef uint8_t mip_event_trigger_status;
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Trigger: GPIO
  */
-enum mip_event_trigger_gpio_mode {
+enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     /** The trigger is never active. */
     MIP_EVENT_TRIGGER_GPIO_MODE_DISABLED = 0,
     /** Active while the pin is high. The pin needs the gpio feature. */
@@ -635,7 +635,7 @@ MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: ThresholdParams
  */
-enum mip_event_threshold_type {
+enum mip_event_threshold_type MIP_ENUM_8 {
     /** The value is in a window between two thresholds, or outside of it. */
     MIP_EVENT_THRESHOLD_TYPE_WINDOW = 1,
     /** The remainder of the value divided by an interval is at most a threshold. */
@@ -651,7 +651,7 @@ MIP_API const char *mip_event_threshold_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Action: GPIO
  */
-enum mip_event_action_gpio_mode {
+enum mip_event_action_gpio_mode MIP_ENUM_8 {
     /** The pin is not changed. */
     MIP_EVENT_ACTION_GPIO_MODE_DISABLED = 0,
     /** High while the trigger is active and low otherwise. */
@@ -800,7 +800,7 @@ struct mip_event_action_message {
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
-enum mip_gnss_constellation {
+enum mip_gnss_constellation MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_CONSTELLATION_UNKNOWN = 0,
     /** GPS. */
@@ -823,7 +823,7 @@ MIP_API const char *mip_gnss_constellation_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  */
-enum mip_gnss_fix_type {
+enum mip_gnss_fix_type MIP_ENUM_8 {
     /** Fix in three dimensions. */
     MIP_GNSS_FIX_TYPE_FIX_3D = 0,
     /** Fix in two dimensions. */
@@ -850,7 +850,7 @@ MIP_API const char *mip_gnss_fix_type_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
-enum mip_gnss_signal {
+enum mip_gnss_signal MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_SIGNAL_UNKNOWN = 0,
     /** GPS L1 C/A. */
@@ -994,7 +994,7 @@ MIP_API const char *mip_gnss_signal_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: GPIO Features
  */
-enum mip_gpio_feature {
+enum mip_gpio_feature MIP_ENUM_8 {
     /** Not connected. Reading the pin may work but is not guaranteed. */
     MIP_GPIO_FEATURE_UNUSED = 0,
     /** General input or output. */
@@ -1013,7 +1013,7 @@ enum mip_gpio_feature {
 MIP_API const char *mip_gpio_feature_name(uint8_t value);
 
 /** Behavior of a pin whose feature is unused. */
-enum mip_gpio_unused_behavior {
+enum mip_gpio_unused_behavior MIP_ENUM_8 {
     /** No other value is defined. */
     MIP_GPIO_UNUSED_BEHAVIOR_UNUSED = 0
 };
@@ -1022,7 +1022,7 @@ enum mip_gpio_unused_behavior {
 MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is gpio. */
-enum mip_gpio_behavior {
+enum mip_gpio_behavior MIP_ENUM_8 {
     /** Input; the default. */
     MIP_GPIO_BEHAVIOR_INPUT = 1,
     /** Output, low at first; low again at power-up if the configuration is saved. */
@@ -1035,7 +1035,7 @@ enum mip_gpio_behavior {
 MIP_API const char *mip_gpio_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is pps. */
-enum mip_gpio_pps_behavior {
+enum mip_gpio_pps_behavior MIP_ENUM_8 {
     /** The pin receives the pulse; the PPS source must be gpio. At most one pin. */
     MIP_GPIO_PPS_BEHAVIOR_INPUT = 1,
     /** The pin sends the pulse of the device. */
@@ -1046,7 +1046,7 @@ enum mip_gpio_pps_behavior {
 MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is encoder. */
-enum mip_gpio_encoder_behavior {
+enum mip_gpio_encoder_behavior MIP_ENUM_8 {
     /** Quadrature input A. At most one pin; the last one configured takes precedence. */
     MIP_GPIO_ENCODER_BEHAVIOR_A = 1,
     /** Quadrature input B. At most one pin; the last one configured takes precedence. */
@@ -1057,7 +1057,7 @@ enum mip_gpio_encoder_behavior {
 MIP_API const char *mip_gpio_encoder_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is timestamp. */
-enum mip_gpio_timestamp_behavior {
+enum mip_gpio_timestamp_behavior MIP_ENUM_8 {
     /** Rising edges get timestamps. */
     MIP_GPIO_TIMESTAMP_BEHAVIOR_RISING = 1,
     /** Falling edges get timestamps. */
@@ -1070,7 +1070,7 @@ enum mip_gpio_timestamp_behavior {
 MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
-enum mip_gpio_uart_behavior {
+enum mip_gpio_uart_behavior MIP_ENUM_8 {
     /** UART 2 transmits. */
     MIP_GPIO_UART_BEHAVIOR_PORT_2_TX = 33,
     /** UART 2 receives. */
@@ -1106,7 +1106,7 @@ typedef uint8_t mip_gpio_pin_mode;
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
  */
-enum mip_nmea_message_id {
+enum mip_nmea_message_id MIP_ENUM_8 {
     /** GNSS fix. From a GNSS or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GGA = 1,
     /** Latitude and longitude. From a GNSS or the filter data set. */
@@ -1137,7 +1137,7 @@ MIP_API const char *mip_nmea_message_id_name(uint8_t value);
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
  */
-enum mip_nmea_talker_id {
+enum mip_nmea_talker_id MIP_ENUM_8 {
     /** For sentences whose talker cannot be chosen (GSV and the proprietary ones). */
     MIP_NMEA_TALKER_ID_IGNORED = 0,
     /** GN. */
@@ -1175,7 +1175,7 @@ struct mip_nmea_message {
  * - 3dm-cv7-gnss-ins: Ports
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  */
-enum mip_comm_interface {
+enum mip_comm_interface MIP_ENUM_8 {
     /** All ports. */
     MIP_COMM_INTERFACE_ALL = 0,
     /** The main port: USB while it is connected, else the main UART. */
@@ -1483,7 +1483,7 @@ static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_leg
  * - 3dm-gx5-15: 4.5 Error Codes
  * - 3dm-cv7-gnss-ins: Ack/Nack Codes
  */
-enum mip_ack_code {
+enum mip_ack_code MIP_ENUM_8 {
     /** The command was carried out. */
     MIP_ACK_CODE_OK = 0,
     /** The device does not know the command descriptor. */

@@ -31,10 +31,11 @@ void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value
     for (unsigned i = 0; i < width; i++) {
         const unsigned bit = first + i;
         const unsigned mask = 1U << bit % 8;
-        if ((value >> i & 1U) != 0) {
+        if ((value & 1U) != 0) {
             bytes[bit / 8] = (uint8_t)(bytes[bit / 8] | mask);
         } else {
             bytes[bit / 8] = (uint8_t)(bytes[bit / 8] & ~mask);
         }
+        value >>= 1;
     }
 }

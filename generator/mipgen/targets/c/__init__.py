@@ -19,8 +19,8 @@ __all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filt
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.CLANG_FORMAT
-#: Programs for three kinds of systems, on mip/device.h.
-EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp")
+#: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
+EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -32,7 +32,7 @@ def files(model: m.Model) -> Iterator[File]:
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
     for name in EXAMPLES:
-        if example := model.taste(name):
+        if example := model.taste(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
     shown = {name: model.taste(f"{name}.c").rstrip() for name in ("device", "client", "present")}
     shown["taste"] = taste.partition("*/\n")[2].rstrip()
@@ -150,6 +150,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "program": lambda f: programs.program(f, model.layouts(f), model.sizes(f)),
         "numbers_only": lambda f: programs.numbers(f, model.layouts(f)),
         "direct": direct.direct,
+        "layouts": lambda f: len(model.layouts(f)) > 1,
         # tables
         "required": tables.required,
         "entries": lambda of: list(tables.entries(of)),
@@ -169,6 +170,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "present_doc": docs.present,
         "type_doc": docs.type,
         "member_doc": docs.member,
+        "arguments_doc": docs.arguments,
         "case_doc": docs.case,
         "value_doc": docs.value,
         "bits_doc": docs.bits,

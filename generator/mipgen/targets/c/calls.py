@@ -29,6 +29,7 @@ class Call:
     makes: bool  # does it make that structure?
     response: m.Field | None
     doc: list[str]
+    given: tuple[m.Parameter, ...] = ()  # what the arguments are
 
 
 def commands(s: m.Set) -> list[m.Field]:
@@ -85,11 +86,12 @@ def _call(
     doc += " See mip_device_call."
     if way is None:
         return Call(name, (), "NULL", False, response, [doc])
-    given = tuple(argument(p, f) for p in way.asked if p.name not in values)
+    given = tuple(p for p in way.asked if p.name not in values)
+    arguments = tuple(argument(p, f) for p in given)
     passed = ["&command"]
     for p in way.asked:
         passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
-    return Call(name, given, f"{field_name(f)}_{way.name}({', '.join(passed)})", True, response, [doc])
+    return Call(name, arguments, f"{field_name(f)}_{way.name}({', '.join(passed)})", True, response, [doc], given)
 
 
 def _passed(p: m.Parameter) -> list[str]:

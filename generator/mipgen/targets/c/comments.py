@@ -117,6 +117,11 @@ class Comments:
         text = [*self._prose(p.description), *_values(p)]
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
+    def arguments(self, given: Sequence[m.Parameter], f: m.Field) -> list[str]:
+        """Of a function: what its arguments are, as the comments of the members say."""
+        items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in given]
+        return ["\n".join(items)] if items else []
+
     def case(self, c: m.Case, union: m.Parameter, record: Record) -> list[str]:
         """Of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None

@@ -97,8 +97,11 @@ def argument(p: m.Parameter, f: m.Field) -> str:
 
 
 def takes_enum(p: m.Parameter) -> bool:
-    """Is its argument an enumeration, so that the compiler sees when it is another one?"""
-    return p.length is None and is_enum(p.element)
+    """Is its argument an enumeration, so that the compiler sees when it is another one?
+
+    Not if it has several bytes on the wire: in C, a compiler may give one whose values are small a single byte.
+    """
+    return p.length is None and isinstance(p.element, m.Enum) and is_enum(p.element) and p.element.scalar.size == 1
 
 
 def holding(c: m.Condition) -> str:

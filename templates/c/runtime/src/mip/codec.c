@@ -95,18 +95,22 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
     if (p[0] != MIP_STEP_LAYOUT) {
         return true;
     }
-    bool matches = field->size >= p[1] && field->size <= p[2];
-    for (size_t i = 0; i < p[3]; i++) {
-        const uint8_t at = p[4 + 2 * i];
-        matches = matches && (at >= field->size || field->data[at] == p[5 + 2 * i]);
+    if (field->size < p[1] || field->size > p[2]) {
+        return false;
     }
-    return matches;
+    for (size_t left = p[3]; left > 0; left--) { /* places in the data, and the bytes there */
+        p += 2;
+        if (p[2] < field->size && field->data[p[2]] != p[3]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    const mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor,
-                                            QUICK ? codec->numbers : 0);
+    mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor,
+                                      QUICK ? codec->numbers : 0);
     if (QUICK && codec->numbers > 0 && error == MIP_OK) {
         if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
             memset(value, 0, codec->size);
@@ -118,7 +122,10 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
         return MIP_OK;
     }
     if (error == MIP_OK || error == MIP_ERROR_TRUNCATED) {
-        return mip_program_read(codec, value, field, trailing);
+        if (mip_codec_matches(codec, field)) {
+            return mip_program_read(codec, value, field, trailing);
+        }
+        error = MIP_ERROR_LAYOUT;
     }
     memset(value, 0, codec->size);
     if (trailing != NULL) {

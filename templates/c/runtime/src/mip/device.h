@@ -30,7 +30,9 @@ struct mip_port {
     /**
      * Reads up to `size` bytes that have arrived, and stores their number in `*count`, which is 0
      * before. It may wait for a while if there are none, but must then return: a call that waits
-     * for an answer does nothing but read. False if the port is gone and no more bytes will arrive.
+     * for an answer does nothing but read. False if the port is gone and no more bytes will arrive;
+     * those that it has stored are still handled. A terminal that was hung up gives no bytes, as a
+     * silent one does: only poll() tells, by POLLHUP (see examples/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
     /** Sends all of these bytes. False if that failed. */
@@ -77,8 +79,10 @@ struct mip_device {
     uint32_t missed;
     /** May its answer still come? */
     bool owed;
-    /** Is a handler running? */
-    bool busy;
+    /** The packet whose field a handler is called with: there, mip_walk_packet finds the fields
+     * that belong together, such as a time stamp and the values of that time. NULL outside
+     * handlers. */
+    const struct mip_packet *packet;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
     /** It holds the bytes of an incomplete packet. */
@@ -127,7 +131,8 @@ static inline bool mip_succeeded(struct mip_result result) {
 MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
 
 /** Why a command was refused or not sent, or why its response could not be decoded: the name of
- * the acknowledge code or of the error; "" if there is no reason. */
+ * the acknowledge code or of the error; "unknown" for a code without a name, whose number is in
+ * `code`; "" if there is no reason. */
 MIP_API const char *mip_result_reason(struct mip_result result);
 
 /**
@@ -155,6 +160,9 @@ MIP_API bool mip_device_poll(struct mip_device *device);
  * the same type. This takes as long as one read without data; while data keeps arriving, at most 64
  * reads or 100 ms. An answer that comes only after the next command of the same type is sent is
  * taken for its answer; if the device may be so slow, give it a longer `timeout`.
+ *
+ * While each read fills all the room that it is given, the answer may be in what is read next: then
+ * the call waits up to twice as long as `timeout`, but at most one second longer.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,

@@ -30,7 +30,7 @@ const char *mip_result_reason(struct mip_result result) {
     const char *name = "";
     if (result.outcome == MIP_REFUSED) {
         name = mip_ack_code_name(result.code);
-        return name != NULL ? name : "";
+        return name != NULL ? name : "unknown";
     }
     return result.error != MIP_OK ? mip_error_name((mip_error)result.error) : "";
 }

@@ -217,7 +217,7 @@ MIP_API const struct mip_names *mip_names_find(const char *name);
 /** The name of a value of an enumeration, by its index. */
 MIP_API const char *mip_names_label(const struct mip_names *names, size_t index);
 
-/** The number of a value of an enumeration, by its index. */
+/** The number of a value of an enumeration, by its index; 0 for a bitfield. */
 MIP_API uint64_t mip_names_number(const struct mip_names *names, size_t index);
 
 /** The name of a value of an enumeration; NULL if it has none. */

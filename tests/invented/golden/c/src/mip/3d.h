@@ -96,7 +96,15 @@ static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default
     mip_put_8(data + 4, value->present_);
     return MIP_OK;
 }
-/** Default. Fills the structure and returns its address. */
+/**
+ * Default. Fills the structure and returns its address.
+ *
+ * - class_: A keyword.
+ * - type: A keyword.
+ * - register_: A keyword.
+ * - self: A keyword.
+ * - present_: Used by generated code elsewhere.
+ */
 static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *command,
                                                          uint8_t class_, uint8_t type,
                                                          uint8_t register_, uint8_t self,

@@ -27,7 +27,15 @@ static inline mip_error mip_send_3d_default(struct mip_client *client, struct mi
                            now);
 }
 
-/** Default. See mip_device_call. */
+/**
+ * Default. See mip_device_call.
+ *
+ * - class_: A keyword.
+ * - type: A keyword.
+ * - register_: A keyword.
+ * - self: A keyword.
+ * - present_: Used by generated code elsewhere.
+ */
 static inline struct mip_result mip_call_3d_default(struct mip_device *device, uint8_t class_,
                                                     uint8_t type, uint8_t register_, uint8_t self,
                                                     uint8_t present_) {

@@ -1,6 +1,10 @@
 /* Packets, fields, and the packet builder. */
 #include "mip/core.h"
 
+unsigned long mip_version(void) {
+    return MIP_VERSION_NUMBER;
+}
+
 /* --------------------------------------------------------------------------- packets and fields */
 
 mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet) {

@@ -52,12 +52,35 @@ typedef enum mip_error {
     MIP_ERROR_SET,
     /** The descriptor of the field is not that of the type as which it is to be decoded. */
     MIP_ERROR_DESCRIPTOR,
-    /** The data has another layout of the descriptor than the caller expects. */
+    /** The data has another layout of the descriptor than that as which it is to be decoded. */
     MIP_ERROR_LAYOUT
 } mip_error;
 
+/** MIP_VERSION_NUMBER of the library that is linked: another one than that of the headers if they
+ * do not belong together. */
+MIP_API unsigned long mip_version(void);
+
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
 MIP_API const char *mip_error_name(mip_error error);
+
+#ifndef __cplusplus
+/** What only C++ reads. */
+#define MIP_IN_CPP(text)
+#else
+#define MIP_IN_CPP(text) text
+#endif
+
+/* These follow the name of an enumeration. In C++, it then has as many bits as on the wire, and
+ * holds values without a name, too; in C, the compiler chooses. */
+
+/** An enumeration of 8 bits. */
+#define MIP_ENUM_8 MIP_IN_CPP( : uint8_t)
+/** An enumeration of 16 bits. */
+#define MIP_ENUM_16 MIP_IN_CPP( : uint16_t)
+/** An enumeration of 32 bits. */
+#define MIP_ENUM_32 MIP_IN_CPP( : uint32_t)
+/** An enumeration of 64 bits. */
+#define MIP_ENUM_64 MIP_IN_CPP( : uint64_t)
 
 /** Zero is false, anything else is true; bytes other than 0 and 1 are preserved. */
 typedef uint8_t mip_bool;
@@ -102,7 +125,8 @@ struct mip_walk {
 /** The checksum of some bytes: its first byte is the high one. */
 MIP_API uint16_t mip_checksum(const uint8_t *bytes, size_t size);
 
-/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. */
+/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. One of set 0xFF,
+ * which no builder makes, is a packet, too, as it is for the parser. */
 MIP_API mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet);
 
 /** Begins a walk through the fields of a packet. */
@@ -163,16 +187,18 @@ struct mip_builder {
 };
 
 /**
- * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, or if the
- * descriptor set is 0 or 0xFF, which no packet has; then nothing can be added.
+ * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
+ * the descriptor set is 0 or 0xFF, of which devices know no packets; then nothing can be added.
  */
 static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer,
                                           size_t capacity, uint8_t descriptor_set) {
     builder->buffer = buffer;
     builder->capacity = 0;
     builder->length = 0;
-    if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE || descriptor_set == 0 ||
-        descriptor_set == 0xFF) {
+    if (descriptor_set == 0 || descriptor_set == 0xFF) {
+        return MIP_ERROR_SET;
+    }
+    if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
         return MIP_ERROR_LENGTH;
     }
     buffer[0] = MIP_SYNC_1;
@@ -463,8 +489,8 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/** Gets a number in a bitfield of bytes, least significant byte first: `width` bits, starting
- * with bit `first`. */
+/** Gets a number in a bitfield of bytes, least significant byte first: `width` bits, at most 64,
+ * starting with bit `first`. */
 MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
 /** Sets a number in a bitfield of bytes: `width` bits, starting with bit `first`. */
 MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);

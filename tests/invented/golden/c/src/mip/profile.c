@@ -4,13 +4,28 @@
 #include <stdbool.h>
 #include <string.h>
 
-static bool is_called(const struct mip_profile *profile, const char *name) {
+/** Is it this name, but for spaces around it? */
+static bool is_name(const char *name, const char *text) {
+    while (*text == ' ') {
+        text++;
+    }
+    while (*name != '\0' && *name == *text) {
+        name++;
+        text++;
+    }
+    while (*text == ' ') {
+        text++;
+    }
+    return *name == '\0' && *text == '\0';
+}
+
+static bool is_called(const struct mip_profile *profile, const char *text) {
     for (size_t i = 0; i < profile->also_count; i++) {
-        if (strcmp(profile->also[i], name) == 0) {
+        if (is_name(profile->also[i], text)) {
             return true;
         }
     }
-    return strcmp(profile->id, name) == 0 || strcmp(profile->title, name) == 0;
+    return is_name(profile->id, text) || is_name(profile->title, text);
 }
 
 const struct mip_profile *mip_profile_find(const char *name) {

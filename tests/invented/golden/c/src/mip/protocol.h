@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /** What a settings command is asked to do. */
-enum mip_function_selector {
+enum mip_function_selector MIP_ENUM_8 {
     /** Apply the new setting. */
     MIP_FUNCTION_SELECTOR_WRITE = 1,
     /** Send the current setting back in a response. */

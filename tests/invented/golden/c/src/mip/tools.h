@@ -22,7 +22,7 @@ extern "C" {
 #define MIP_TOOLS_SET 0x01
 
 /** Which member the union has. */
-enum mip_tools_shape {
+enum mip_tools_shape MIP_ENUM_8 {
     /** The value `none`. */
     MIP_TOOLS_SHAPE_NONE = 0,
     /** The value `circle`. */
@@ -38,7 +38,7 @@ enum mip_tools_shape {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_shape_name(uint8_t value);
 /** How a circle is filled. */
-enum mip_tools_fill {
+enum mip_tools_fill MIP_ENUM_8 {
     /** The value `empty`. */
     MIP_TOOLS_FILL_EMPTY = 0,
     /** The value `solid`. */
@@ -86,7 +86,7 @@ struct mip_tools_path {
 };
 
 /** What drives a pin. */
-enum mip_tools_drive {
+enum mip_tools_drive MIP_ENUM_8 {
     /** The value `off`. */
     MIP_TOOLS_DRIVE_OFF = 0,
     /** The value `pulse`. */
@@ -98,7 +98,7 @@ enum mip_tools_drive {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
 /** Of a pulse. Full name: pulse_use. */
-enum mip_tools_pulse {
+enum mip_tools_pulse MIP_ENUM_8 {
     /** The value `input`. */
     MIP_TOOLS_PULSE_INPUT = 1,
     /** The value `output`. */
@@ -108,7 +108,7 @@ enum mip_tools_pulse {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
 /** Of a serial line. */
-enum mip_tools_serial_use {
+enum mip_tools_serial_use MIP_ENUM_8 {
     /** The value `receive`. */
     MIP_TOOLS_SERIAL_USE_RECEIVE = 1,
     /** The value `transmit`. */
@@ -243,7 +243,14 @@ static inline mip_error mip_tools_settings_encode(const struct mip_tools_setting
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
+ */
 static inline struct mip_tools_settings *mip_tools_settings_write(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -254,7 +261,13 @@ static inline struct mip_tools_settings *mip_tools_settings_write(
     command->reserved = 1;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/**
+ * Send the current setting back in a response. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ */
 static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tools_settings *command,
                                                                  uint8_t port, enum mip_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -264,7 +277,11 @@ static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
+/**
+ * Save the current setting to non-volatile memory. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -273,7 +290,11 @@ static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/** Load the saved setting. Fills the structure and returns its address. */
+/**
+ * Load the saved setting. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -282,7 +303,11 @@ static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/** Load the factory default setting. Fills the structure and returns its address. */
+/**
+ * Load the factory default setting. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_tools_settings *
 mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -294,6 +319,11 @@ mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
  */
 static inline struct mip_tools_settings *mip_tools_settings_apply(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
@@ -433,7 +463,12 @@ static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_tim
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ * - value: The new value. Unit: s. Required for write and apply.
+ */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
     memset(command, 0, sizeof(*command));
@@ -442,7 +477,11 @@ mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part,
     command->value = value;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/**
+ * Send the current setting back in a response. Fills the structure and returns its address.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ */
 static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tools_set_time *command,
                                                                  enum mip_mode part) {
     memset(command, 0, sizeof(*command));
@@ -453,6 +492,9 @@ static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tool
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ * - value: The new value. Unit: s. Required for write and apply.
  */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
@@ -623,7 +665,11 @@ static inline mip_error mip_tools_status_encode(const struct mip_tools_status *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
 }
-/** Status. Fills the structure and returns its address. */
+/**
+ * Status. Fills the structure and returns its address.
+ *
+ * - selector: Which layout. Range: 1 to 2. On the Model C: always 2.
+ */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
     memset(command, 0, sizeof(*command));
@@ -650,7 +696,10 @@ struct mip_tools_status_short {
     uint32_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
@@ -694,7 +743,10 @@ struct mip_tools_status_long {
     uint64_t uptime;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_LONG 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
@@ -735,7 +787,10 @@ struct mip_tools_status_old {
     uint32_t uptime;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_STATUS_OLD 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
@@ -780,7 +835,10 @@ struct mip_tools_full {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
+ * refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_TOOLS_FULL 0x0190
 /** Its descriptor. */
 #define MIP_TOOLS_FULL_DESCRIPTOR 0x90
@@ -846,7 +904,11 @@ static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+ */
 static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
                                                           const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -1006,7 +1068,11 @@ static inline mip_error mip_tools_capture_bias_encode_inline(
     mip_put_16(data, value->time);
     return MIP_OK;
 }
-/** Capture bias. Fills the structure and returns its address. */
+/**
+ * Capture bias. Fills the structure and returns its address.
+ *
+ * - time: How long. Unit: s. Range: 1 to 30.
+ */
 static inline struct mip_tools_capture_bias *
 mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
     memset(command, 0, sizeof(*command));
@@ -1055,7 +1121,14 @@ static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
 }
-/** Formats. Fills the structure and returns its address. */
+/**
+ * Formats. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_segments: Number of segments. The number of elements of segments.
+ * - checkpoint: Between a counter and its array.
+ * - segments: The segments.
+ */
 static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
@@ -1128,7 +1201,14 @@ static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Which one.
+ * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
+ * - parameters: The member. Selected by shape. Required for write. Empty if shape is
+ *   MIP_TOOLS_SHAPE_NONE.
+ */
 static inline struct mip_tools_choice *mip_tools_choice_write(
     struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
     const union mip_tools_choice_parameters *parameters) {
@@ -1141,7 +1221,11 @@ static inline struct mip_tools_choice *mip_tools_choice_write(
     }
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/**
+ * Send the current setting back in a response. Fills the structure and returns its address.
+ *
+ * - instance: Which one.
+ */
 static inline struct mip_tools_choice *mip_tools_choice_read(struct mip_tools_choice *command,
                                                              uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -1245,7 +1329,12 @@ static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - count: Number of items. The number of elements of items. Required for write.
+ * - items: The items. Required for write.
+ */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
                                                           uint8_t count, const uint16_t items[]) {
     memset(command, 0, sizeof(*command));
@@ -1426,7 +1515,13 @@ static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
 }
-/** Apply the new setting. Fills the structure and returns its address. */
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - drive: What drives it. A value of enum mip_tools_drive.
+ * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
+ *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+ */
 static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
                                                         enum mip_tools_drive drive, uint8_t use) {
     memset(command, 0, sizeof(*command));
@@ -1435,7 +1530,11 @@ static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *co
     command->use = use;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/**
+ * Send the current setting back in a response. Fills the structure and returns its address.
+ *
+ * - drive: What drives it. A value of enum mip_tools_drive.
+ */
 static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *command,
                                                        enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1679,7 +1778,11 @@ static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_
     mip_put_8(data, value->drive);
     return MIP_OK;
 }
-/** Readings. Fills the structure and returns its address. */
+/**
+ * Readings. Fills the structure and returns its address.
+ *
+ * - drive: What is asked for. A value of enum mip_tools_drive.
+ */
 static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
                                                                  enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1774,7 +1877,14 @@ static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);
 }
-/** Poll. Fills the structure and returns its address. */
+/**
+ * Poll. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - first: Field descriptor. Refers to fields of Measurements. Default: 0x01.
+ * - count: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *command,
                                                          uint8_t descriptor_set, uint8_t first,
                                                          uint8_t count,

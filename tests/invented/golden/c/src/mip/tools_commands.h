@@ -47,7 +47,14 @@ static inline mip_error mip_send_tools_settings(struct mip_client *client,
                            &mip_tools_settings_response_codec, response, now);
 }
 
-/** Settings: write. Apply the new setting. See mip_device_call. */
+/**
+ * Settings: write. Apply the new setting. See mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
+ */
 static inline struct mip_result mip_call_tools_settings_write(struct mip_device *device,
                                                               uint8_t port, enum mip_mode mode,
                                                               uint32_t baud) {
@@ -56,7 +63,13 @@ static inline struct mip_result mip_call_tools_settings_write(struct mip_device 
                            mip_tools_settings_write(&command, port, mode, baud), NULL, NULL);
 }
 
-/** Settings: read. Send the current setting back in a response. See mip_device_call. */
+/**
+ * Settings: read. Send the current setting back in a response. See mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ */
 static inline struct mip_result
 mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_mode mode,
                              struct mip_tools_settings_response *response) {
@@ -66,7 +79,11 @@ mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_m
                            &mip_tools_settings_response_codec, response);
 }
 
-/** Settings: save. Save the current setting to non-volatile memory. See mip_device_call. */
+/**
+ * Settings: save. Save the current setting to non-volatile memory. See mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_result mip_call_tools_settings_save(struct mip_device *device,
                                                              uint8_t port) {
     struct mip_tools_settings command;
@@ -74,7 +91,11 @@ static inline struct mip_result mip_call_tools_settings_save(struct mip_device *
                            mip_tools_settings_save(&command, port), NULL, NULL);
 }
 
-/** Settings: load. Load the saved setting. See mip_device_call. */
+/**
+ * Settings: load. Load the saved setting. See mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_result mip_call_tools_settings_load(struct mip_device *device,
                                                              uint8_t port) {
     struct mip_tools_settings command;
@@ -82,7 +103,11 @@ static inline struct mip_result mip_call_tools_settings_load(struct mip_device *
                            mip_tools_settings_load(&command, port), NULL, NULL);
 }
 
-/** Settings: default. Load the factory default setting. See mip_device_call. */
+/**
+ * Settings: default. Load the factory default setting. See mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ */
 static inline struct mip_result mip_call_tools_settings_default(struct mip_device *device,
                                                                 uint8_t port) {
     struct mip_tools_settings command;
@@ -93,6 +118,11 @@ static inline struct mip_result mip_call_tools_settings_default(struct mip_devic
 /**
  * Settings: apply. Apply the new setting and send no acknowledge (5-series devices). See
  * mip_device_call.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
  */
 static inline struct mip_result mip_call_tools_settings_apply(struct mip_device *device,
                                                               uint8_t port, enum mip_mode mode,
@@ -150,7 +180,12 @@ static inline mip_error mip_send_for_tools_set_time_slow_response(
                            &mip_tools_set_time_slow_response_codec, response, now);
 }
 
-/** Set time: write. Apply the new setting. See mip_device_call. */
+/**
+ * Set time: write. Apply the new setting. See mip_device_call.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ * - value: The new value. Unit: s. Required for write and apply.
+ */
 static inline struct mip_result mip_call_tools_set_time_write(struct mip_device *device,
                                                               enum mip_mode part, uint32_t value) {
     struct mip_tools_set_time command;
@@ -158,7 +193,11 @@ static inline struct mip_result mip_call_tools_set_time_write(struct mip_device 
                            mip_tools_set_time_write(&command, part, value), NULL, NULL);
 }
 
-/** Set time: read. Send the current setting back in a response. See mip_device_call. */
+/**
+ * Set time: read. Send the current setting back in a response. See mip_device_call.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ */
 static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *device,
                                                              enum mip_mode part) {
     struct mip_tools_set_time command;
@@ -193,6 +232,9 @@ static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
 /**
  * Set time: apply. Apply the new setting and send no acknowledge (5-series devices). See
  * mip_device_call.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ * - value: The new value. Unit: s. Required for write and apply.
  */
 static inline struct mip_result mip_call_tools_set_time_apply(struct mip_device *device,
                                                               enum mip_mode part, uint32_t value) {
@@ -269,7 +311,11 @@ static inline mip_error mip_send_for_tools_full(struct mip_client *client,
                            &mip_tools_full_codec, response, now);
 }
 
-/** Status. See mip_device_call. */
+/**
+ * Status. See mip_device_call.
+ *
+ * - selector: Which layout. Range: 1 to 2. On the Model C: always 2.
+ */
 static inline struct mip_result mip_call_tools_status(struct mip_device *device, uint8_t selector) {
     struct mip_tools_status command;
     return mip_device_call(device, &mip_tools_status_command,
@@ -331,7 +377,11 @@ static inline mip_error mip_send_tools_bias(struct mip_client *client, struct mi
                            &mip_tools_bias_vector_codec, response, now);
 }
 
-/** Bias: write. Apply the new setting. See mip_device_call. */
+/**
+ * Bias: write. Apply the new setting. See mip_device_call.
+ *
+ * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+ */
 static inline struct mip_result mip_call_tools_bias_write(struct mip_device *device,
                                                           const float bias[3]) {
     struct mip_tools_bias command;
@@ -395,7 +445,11 @@ static inline mip_error mip_send_tools_capture_bias(struct mip_client *client,
                            &mip_tools_bias_vector_codec, response, now);
 }
 
-/** Capture bias. See mip_device_call. */
+/**
+ * Capture bias. See mip_device_call.
+ *
+ * - time: How long. Unit: s. Range: 1 to 30.
+ */
 static inline struct mip_result mip_call_tools_capture_bias(
     struct mip_device *device, uint16_t time, struct mip_tools_bias_vector *response) {
     struct mip_tools_capture_bias command;
@@ -428,7 +482,14 @@ static inline mip_error mip_send_tools_formats(struct mip_client *client,
                            now);
 }
 
-/** Formats. See mip_device_call. */
+/**
+ * Formats. See mip_device_call.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_segments: Number of segments. The number of elements of segments.
+ * - checkpoint: Between a counter and its array.
+ * - segments: The segments.
+ */
 static inline struct mip_result mip_call_tools_formats(struct mip_device *device,
                                                        mip_bool suppress_ack, uint8_t num_segments,
                                                        uint8_t checkpoint,
@@ -465,7 +526,14 @@ static inline mip_error mip_send_tools_choice(struct mip_client *client,
                            &mip_tools_choice_response_codec, response, now);
 }
 
-/** Choice: write. Apply the new setting. See mip_device_call. */
+/**
+ * Choice: write. Apply the new setting. See mip_device_call.
+ *
+ * - instance: Which one.
+ * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
+ * - parameters: The member. Selected by shape. Required for write. Empty if shape is
+ *   MIP_TOOLS_SHAPE_NONE.
+ */
 static inline struct mip_result
 mip_call_tools_choice_write(struct mip_device *device, uint8_t instance, enum mip_tools_shape shape,
                             const union mip_tools_choice_parameters *parameters) {
@@ -475,7 +543,11 @@ mip_call_tools_choice_write(struct mip_device *device, uint8_t instance, enum mi
                            NULL);
 }
 
-/** Choice: read. Send the current setting back in a response. See mip_device_call. */
+/**
+ * Choice: read. Send the current setting back in a response. See mip_device_call.
+ *
+ * - instance: Which one.
+ */
 static inline struct mip_result mip_call_tools_choice_read(
     struct mip_device *device, uint8_t instance, struct mip_tools_choice_response *response) {
     struct mip_tools_choice command;
@@ -510,7 +582,12 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
                            &mip_tools_list_response_codec, response, now);
 }
 
-/** List: write. Apply the new setting. See mip_device_call. */
+/**
+ * List: write. Apply the new setting. See mip_device_call.
+ *
+ * - count: Number of items. The number of elements of items. Required for write.
+ * - items: The items. Required for write.
+ */
 static inline struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
                                                           const uint16_t items[]) {
     struct mip_tools_list command;
@@ -580,7 +657,13 @@ static inline mip_error mip_send_tools_pin(struct mip_client *client, struct mip
                            &mip_tools_pin_response_codec, response, now);
 }
 
-/** Pin: write. Apply the new setting. See mip_device_call. */
+/**
+ * Pin: write. Apply the new setting. See mip_device_call.
+ *
+ * - drive: What drives it. A value of enum mip_tools_drive.
+ * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
+ *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+ */
 static inline struct mip_result mip_call_tools_pin_write(struct mip_device *device,
                                                          enum mip_tools_drive drive, uint8_t use) {
     struct mip_tools_pin command;
@@ -588,7 +671,11 @@ static inline struct mip_result mip_call_tools_pin_write(struct mip_device *devi
                            mip_tools_pin_write(&command, drive, use), NULL, NULL);
 }
 
-/** Pin: read. Send the current setting back in a response. See mip_device_call. */
+/**
+ * Pin: read. Send the current setting back in a response. See mip_device_call.
+ *
+ * - drive: What drives it. A value of enum mip_tools_drive.
+ */
 static inline struct mip_result mip_call_tools_pin_read(struct mip_device *device,
                                                         enum mip_tools_drive drive,
                                                         struct mip_tools_pin_response *response) {
@@ -648,7 +735,11 @@ static inline mip_error mip_send_tools_readings(struct mip_client *client,
                            &mip_tools_readings_response_codec, response, now);
 }
 
-/** Readings. See mip_device_call. */
+/**
+ * Readings. See mip_device_call.
+ *
+ * - drive: What is asked for. A value of enum mip_tools_drive.
+ */
 static inline struct mip_result
 mip_call_tools_readings(struct mip_device *device, enum mip_tools_drive drive,
                         struct mip_tools_readings_response *response) {
@@ -680,7 +771,14 @@ static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mi
                            now);
 }
 
-/** Poll. See mip_device_call. */
+/**
+ * Poll. See mip_device_call.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - first: Field descriptor. Refers to fields of Measurements. Default: 0x01.
+ * - count: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_result mip_call_tools_poll(struct mip_device *device,
                                                     uint8_t descriptor_set, uint8_t first,
                                                     uint8_t count, const uint8_t descriptors[]) {

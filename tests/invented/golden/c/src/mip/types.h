@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /** The result of a command. */
-enum mip_ack_code {
+enum mip_ack_code MIP_ENUM_8 {
     /** Done. */
     MIP_ACK_CODE_OK = 0,
     /** No such command. Full name: unknown_command. */
@@ -29,7 +29,7 @@ enum mip_ack_code {
 MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** What the device does. Uncertain: Whether there are more. */
-enum mip_mode {
+enum mip_mode MIP_ENUM_8 {
     /** A keyword in three languages. */
     MIP_MODE_DEFAULT = 0,
     /** Quick. Uncertain: How quick. */

@@ -1,4 +1,4 @@
-// Prints the acceleration that a device sends.
+// Prints the acceleration along x, in g, that a device sends to the receiving pin of Serial.
 #include <mip.h>
 #include <mip/sensor.h>
 
