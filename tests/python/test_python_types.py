@@ -18,8 +18,12 @@ PAGES = ("README.md", "docs/columns.md", "docs/simulate.md", "generated/python/R
 
 #: Each line with a comment is wrong.
 ARRAYS = """\
+from pathlib import Path
 from typing_extensions import assert_type
-from mip_protocol import FunctionSelector, gnss, mip_3dm, types
+from mip_protocol import FunctionSelector, aio, gnss, mip_3dm, open_port, types
+
+open_port(Path("/dev/ttyACM0"))
+aio.open_port(Path("/dev/ttyACM0"))
 
 rate = types.DescriptorRate(4, 10)
 command = mip_3dm.MessageFormat.write(0x80, [rate])

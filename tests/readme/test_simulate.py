@@ -28,8 +28,12 @@ def section(title: str) -> str:
 
 
 def block(language: str, title: str) -> str:
-    (found,) = re.findall(rf"```{language}\n(.*?)```", section(title), re.S)
-    return str(found)
+    (found,) = blocks(language, title)
+    return found
+
+
+def blocks(language: str, title: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", section(title), re.S)
 
 
 def commands(title: str) -> list[str]:
@@ -159,7 +163,8 @@ def python(code: str) -> str:
 
 
 def test_in_python() -> None:
-    python(block("python", "In Python"))
+    for program in blocks("python", "In Python"):
+        python(program)
 
 
 def test_every_fault_and_option_is_named() -> None:

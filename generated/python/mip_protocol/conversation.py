@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar, cast
 
-from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut
+from ._clocks import CLOCKS
+from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
 from .errors import NoAnswer, Refused
 from .field import Command, Field, R, Response
 from .packet import Packet, RawField
@@ -48,6 +49,24 @@ class Arrival:
     def find(self, kind: type[F]) -> F | None:
         """The first field of this type, if there is one. Raises DecodeError."""
         return kind.find(self.packet)
+
+    def find_all(self, kind: type[F]) -> Iterator[F]:
+        """The fields of this type, in order: some messages have one for each satellite, say. Raises
+        DecodeError when it comes to a field that cannot be decoded."""
+        return kind.find_all(self.packet)
+
+    def device_time(self, clock: str = "gps") -> int | None:
+        """The time in the packet, in nanoseconds, by a clock of the device; None if the packet has none
+        or if it is not valid.
+
+        `clock`: "gps" is UTC, since 1970; "external" and "reference" are since their start. See
+        `timestamps.time_of` for the time in a field.
+        """
+        from .timestamps import moments
+
+        if clock not in CLOCKS:
+            raise ValueError(f"{clock!r} is not a clock; one of {', '.join(CLOCKS)} is")
+        return moments(self.packet).get(clock)
 
     def decode(self) -> list[Field | RawField]:
         """All fields of the packet, as `registry.decode_packet` gives them."""
@@ -93,7 +112,8 @@ class Conversation:
     ) -> None:
         if capacity < 1:
             raise ValueError(f"capacity {capacity}: at least one packet must have room")
-        if not timeout > 0:
+        check_seconds(timeout)
+        if not timeout:
             raise ValueError(f"timeout {timeout}: a device needs some time to answer")
         self.arrivals: deque[Arrival] = deque()
         self.dropped = 0

@@ -15,6 +15,7 @@ import time
 import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +23,9 @@ import mip_protocol as mip
 import pytest
 import serial
 from both import PATIENCE, Kind, Peer, acknowledge, packet
-from mip_protocol import aiding, base, mip_3dm, sensor, types
+from mip_protocol import aiding, base, mip_3dm, sensor, shared, timestamps, types
 from mip_protocol.baud import rates
+from mip_protocol.simulator import LivePort
 from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
 from mip_protocol.simulator.faults import Faults
@@ -412,3 +414,75 @@ def test_a_socket_beyond_the_thousandth_file() -> None:
         peer.near.close()
         peer.close()
         resource.setrlimit(resource.RLIMIT_NOFILE, limits)
+
+
+# --------------------------------------------------------------------------- a simulated device without a connection
+
+
+@pytest.mark.parametrize("speed", [1.0, 20.0])
+def test_a_live_port(kind: Kind, speed: float) -> None:
+    """Time passes at it, at its speed; bytes are neither lost nor late."""
+    virtual = VirtualDevice(DEVICE)
+    with kind.at(LivePort(virtual, speed=speed)) as device:
+        assert device.request(base.GetDeviceInfo()).device_info.model_name.strip()
+        stream(device)
+        began, now = time.monotonic(), virtual.now
+        fields = device.fields(sensor.ScaledAccel)
+        for _ in range(30):
+            next(fields)
+            device.request(PING)
+        advanced = (virtual.now - now) / 1e9
+        # At the beginning, it may have been late by as long as a read waits.
+        assert 0.25 < advanced < (time.monotonic() - began + 0.2) * speed
+        assert device.dropped == device.skipped == 0
+    assert virtual.links == [] and device.closed
+
+
+def test_a_live_port_that_the_device_closes() -> None:
+    virtual = VirtualDevice(DEVICE)
+    with mip.Device(port := LivePort(virtual, "Main")) as device:
+        device.request(PING)
+        virtual.disconnect(port._link)
+        with pytest.raises(mip.PortClosed):
+            device.next(20)
+    for speed in (0, -1, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="more than 0"):
+            LivePort(virtual, speed=speed)
+    assert virtual.links == []
+
+
+def test_a_live_port_reads_no_more_than_it_is_asked_for() -> None:
+    port = LivePort(VirtualDevice(DEVICE))
+    port.write(bytes(PING.packet()))
+    parts = [port.read(4), port.read(100)]
+    assert b"".join(parts) == acknowledge(1, 1) and len(parts[0]) == 4
+    port.close()
+
+
+# --------------------------------------------------------------------------- the time of the device
+
+
+def test_the_time_of_the_device(kind: Kind) -> None:
+    """As UTC, by its clock that has a date; else since the start of the clock."""
+    start = round(
+        (datetime(2024, 5, 1, tzinfo=timezone.utc) - datetime(1980, 1, 6, tzinfo=timezone.utc)).total_seconds()
+    )
+    virtual = VirtualDevice(DEVICE, start=(start + 18) * 10**9)  # GPS time is ahead of UTC
+    with kind.at(LivePort(virtual)) as device:
+        entries = tuple(types.DescriptorRate(d, 100) for d in (0xD3, 0xD5, 0x04))
+        device.request(mip_3dm.MessageFormat.write(0x80, entries))
+        device.request(mip_3dm.DataStreamControl.write(0x80, True))
+        arrival = device.next(20)
+    stamp = arrival.find(shared.GpsTimestamp)
+    utc = arrival.device_time()
+    assert utc == timestamps.time_of(stamp) == timestamps.moments(arrival.packet)["gps"]
+    day = datetime(2024, 5, 1, tzinfo=timezone.utc).timestamp() * 10**9
+    assert day < utc < day + 60 * 10**9
+    assert arrival.device_time("reference") == arrival.find(shared.ReferenceTimestamp).nanoseconds
+    assert arrival.device_time("external") is None
+    with pytest.raises(ValueError, match="'utc' is not a clock; one of gps, external, reference is"):
+        arrival.device_time("utc")
+    assert timestamps.time_of(stamp.__replace__(valid_flags=0)) is None
+    with pytest.raises(ValueError, match=r"sensor.scaled_accel does not hold the time of its packet"):
+        timestamps.time_of(arrival.find(sensor.ScaledAccel))
+    assert mip.Arrival(mip.Packet(DATA), 0.0, 0.0).device_time() is None

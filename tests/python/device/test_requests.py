@@ -17,7 +17,19 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import Kind, Peer, acknowledge, packet, until
-from mip_protocol import Parser, aiding, aio, base, conversation, mip_3dm, port, sensor, types
+from mip_protocol import (
+    Parser,
+    aiding,
+    aio,
+    base,
+    conversation,
+    gnss_1,
+    mip_3dm,
+    port,
+    sensor,
+    simulator,
+    types,
+)
 from mip_protocol import device as sync
 from support import ROOT
 
@@ -272,6 +284,39 @@ def test_fields_of_some_types(kind: Kind, peer: Peer) -> None:
         ]  # fmt: skip
 
 
+SATELLITE = gnss_1.SatelliteStatus(
+    1, 3, 0.0, 0, types.GnssConstellation.GPS, 7, 45.0, 90.0, True, gnss_1.SatelliteStatusFlags(0)
+)
+
+
+def satellites(*numbers: int) -> bytes:
+    fields = [SATELLITE.__replace__(satellite_id=n) for n in numbers]
+    return packet(0x91, *(f"{f.DESCRIPTOR:02x} {f.encode().hex()}" for f in fields))
+
+
+def test_all_fields_of_a_type_in_a_packet(kind: Kind, peer: Peer) -> None:
+    """There is one field for each satellite."""
+    with kind.at(peer.near) as device:
+        peer.send(satellites(5, 3, 9), DATA, satellites(4))
+        found = device.fields(gnss_1.SatelliteStatus, sensor.ScaledAccel)
+        fields = [next(found)[1] for _ in range(5)]
+        assert [getattr(f, "satellite_id", None) for f in fields] == [5, 3, 9, None, 4]
+        peer.send(satellites(1, 2))
+        arrival = device.next(5)
+        assert [f.satellite_id for f in arrival.find_all(gnss_1.SatelliteStatus)] == [1, 2]
+        assert arrival.find(gnss_1.SatelliteStatus).satellite_id == 1
+        assert list(arrival.find_all(sensor.ScaledAccel)) == []
+
+
+def test_the_fields_before_one_that_cannot_be_decoded(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.send(packet(0x80, "04" + "00" * 12, "04 00"))
+        found = device.fields(sensor.ScaledAccel)
+        assert next(found)[1] == sensor.ScaledAccel((0, 0, 0))
+        with pytest.raises(mip.DecodeError):
+            next(found)
+
+
 def test_the_oldest_are_dropped_and_counted(kind: Kind, peer: Peer) -> None:
     others = [packet(0x80, f"04 {n:024x}") for n in range(10)]
     with kind.at(peer.near, capacity=4) as device:
@@ -519,13 +564,13 @@ def test_a_device_that_is_closed_while_its_port_is_opened(kind: Kind) -> None:
         own = inside(device)
         open_again = own._again
 
-        def opened() -> Any:
-            port = open_again()
+        def opened(rate: int) -> Any:
+            port = open_again(rate)
             own.close()
             return port
 
-        async def opened_later() -> Any:
-            port = await open_again()
+        async def opened_later(rate: int) -> Any:
+            port = await open_again(rate)
             await own.close()
             return port
 
@@ -624,8 +669,10 @@ def test_ports_that_cannot_be_opened(kind: Kind, url: str, error: type[Exception
 def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
     with pytest.raises(TypeError, match="it needs `read` and `write`"):
         kind.at(object())
-    for options in ({"capacity": 0}, {"timeout": 0}):
-        with pytest.raises(ValueError, match=r"at least one packet|some time"):
+    with pytest.raises(TypeError, match="its `read` takes no size"):
+        kind.at(simulator.VirtualDevice("3dm-cv7-gnss-ins").connect())
+    for options in ({"capacity": 0}, {"timeout": 0}, {"timeout": math.nan}):
+        with pytest.raises(ValueError, match=r"at least one packet|some time|a number of seconds"):
             kind.at(peer.near, **options)
     with kind.at(peer.near) as device, pytest.raises(ValueError, match="baud rate"):
         device.change_baud(mip_3dm.UartBaudRate.write(9600))
@@ -634,10 +681,10 @@ def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
 # --------------------------------------------------------------------------- the package
 
 
-def python(code: str, *options: str) -> str:
+def python(code: str, *options: str, executable: str = sys.executable) -> str:
     folder = str(ROOT / "generated/python")
     done = subprocess.run(
-        [sys.executable, *options, "-c", f"import sys; sys.path.insert(0, {folder!r})\n{code}"],
+        [executable, *options, "-c", f"import sys; sys.path.insert(0, {folder!r})\n{code}"],
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -721,8 +768,22 @@ def test_times_without_end(kind: Kind, peer: Peer) -> None:
         thread.start()
         assert device.request(PING, timeout=math.inf) is None
         thread.join(10)
-        with pytest.raises(ValueError, match="NaN"):
-            device.request(PING, timeout=math.nan)
+
+
+@pytest.mark.parametrize("how", ["request", "request_all", "exchange", "next", "reopen"])
+def test_times_that_are_none(kind: Kind, how: str) -> None:
+    """They neither wait for ever nor do anything else."""
+    with (
+        socket.create_server(("localhost", 0)) as server,
+        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
+    ):
+        commands = [PING] if how in ("request", "request_all", "exchange") else []
+        for wrong in (math.nan, -1):
+            with pytest.raises(ValueError, match=f"timeout {wrong}: needs a number of seconds, 0 or more"):
+                getattr(device, how)(*commands, timeout=wrong)
+        with pytest.raises(TypeError, match="timeout '1': needs a number of seconds"):
+            getattr(device, how)(*commands, timeout="1")
+        assert not device.closed
 
 
 def test_a_callback_that_exits_ends_the_device(peer: Peer) -> None:

@@ -20,7 +20,7 @@ PACKAGE = ROOT / "generated/python"
 
 CHECKED = """
 from typing_extensions import assert_type
-from mip_protocol import Arrival, Command, Device, Response, aio, base, mip_3dm, sensor
+from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, gnss_1, mip_3dm, sensor
 from mip_protocol.base import GpsTimeUpdateTowResponse, GpsTimeUpdateWeekNumberResponse
 
 def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
@@ -47,6 +47,11 @@ def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
     for time, accel in device.fields(sensor.ScaledAccel):
         assert_type(time, float)
         assert_type(accel, sensor.ScaledAccel)
+    for _, field in device.fields(sensor.ScaledAccel, sensor.ScaledGyro):
+        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro)
+    kinds: list[type[Data]] = [sensor.ScaledAccel, sensor.ScaledGyro]
+    for _, any_field in device.fields(*kinds):
+        assert_type(any_field, Data)
 
 async def asynchronous(device: aio.Device) -> None:
     assert_type(await device.request(base.GetDeviceInfo()), base.GetDeviceInfoResponse)
@@ -60,6 +65,8 @@ async def asynchronous(device: aio.Device) -> None:
     assert_type(await aio.open_port("socket://localhost:5000"), aio.Device)
     async for _, accel in other.fields(sensor.ScaledAccel):
         assert_type(accel, sensor.ScaledAccel)
+    async for _, field in other.fields(sensor.ScaledAccel, sensor.ScaledGyro, gnss_1.SatelliteStatus):
+        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro | gnss_1.SatelliteStatus)
 """
 
 

@@ -58,7 +58,9 @@ def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: floa
     timeout, tried = getattr(port, "timeout", None), []
     port.timeout = READ_TIMEOUT
     try:
-        for rate in dict.fromkeys(rates() if candidates is None else candidates):
+        for rate in rates() if candidates is None else candidates:  # one by one: they may end early
+            if rate in tried:
+                continue
             tried.append(rate)
             port.baudrate = rate
             if answers(port, listen):

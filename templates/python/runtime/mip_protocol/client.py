@@ -79,6 +79,16 @@ Outcome = Answer | TimedOut
 Event = Outcome | Received | Skipped
 
 
+def check_seconds(timeout: float) -> None:
+    """Raises TypeError or ValueError if this is not a time to wait."""
+    try:
+        right = timeout >= 0
+    except TypeError:
+        raise TypeError(f"timeout {timeout!r}: needs a number of seconds") from None
+    if not right:  # NaN, too
+        raise ValueError(f"timeout {timeout}: needs a number of seconds, 0 or more")
+
+
 @dataclass
 class _Pending:
     command: Command
@@ -94,6 +104,7 @@ class Client:
 
         `skipped`: bytes between packets are also events.
         """
+        check_seconds(timeout)
         self._timeout = timeout
         self._parser = Parser()
         self._wants_skipped = skipped
@@ -114,12 +125,13 @@ class Client:
 
         `timeout`: seconds for these commands, in place of their usual time-outs.
 
-        Raises EncodeError, and waits for no answer, if they do not fit into one packet.
+        Raises EncodeError, and waits for no answer, if they do not fit into one packet; ValueError
+        if the time-out is NaN or negative.
         """
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
-        if timeout is not None and timeout != timeout:
-            raise ValueError("timeout: NaN is not a time")
+        if timeout is not None:
+            check_seconds(timeout)
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):

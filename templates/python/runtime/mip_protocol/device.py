@@ -11,20 +11,28 @@ reads the data; each data packet goes to only one of the readers.
 
 from __future__ import annotations
 
+import os
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import takewhile
 from types import TracebackType
 from typing import Any, TypeVar, cast, overload
 
-from .baud import CHANGE, LISTEN, USUAL, Ping, detect_baud
-from .client import Outcome
+from .baud import CHANGE, LISTEN, USUAL, Ping, detect_baud, rates
+from .client import Outcome, check_seconds
 from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, Field, R, Response
-from .port import Reader, as_port, open_url, write_all
+from .port import Reader, as_port, open_url, warn_unclosed, weakly
 
 F = TypeVar("F", bound=Field)
+F1 = TypeVar("F1", bound=Field)
+F2 = TypeVar("F2", bound=Field)
+F3 = TypeVar("F3", bound=Field)
+F4 = TypeVar("F4", bound=Field)
 R1 = TypeVar("R1", bound="Response | None")
 R2 = TypeVar("R2", bound="Response | None")
 R3 = TypeVar("R3", bound="Response | None")
@@ -36,7 +44,12 @@ CLOSED_MEANWHILE = "the device has been closed while it was opened again"
 
 
 class Device:
-    """A device on an open port. A `with` statement closes it at the end."""
+    """A device on an open port. A `with` statement closes it at the end.
+
+    One that is dropped without being closed is closed, with a ResourceWarning.
+    """
+
+    _closed = True  # until there is a port
 
     def __init__(
         self,
@@ -68,14 +81,20 @@ class Device:
         self._opening = threading.Lock()
         self._closes = 0
         self._end: PortClosed | None = None
-        self._closed = False  # by `close`
-        self._again: Callable[[], Any] | None = None  # opens the same port
+        self._again: Callable[[int], Any] | None = None  # opens the same port at this baud rate
         self._start(as_port(port))
 
     def _start(self, port: Any) -> None:
         self._port = port
-        self._reader = Reader(port, self._receive, self._lose)
+        self._reader = Reader(port, weakly(self._receive), weakly(self._lose))
         self._reader.start()
+        self._closed = False  # by `close`
+
+    def __del__(self) -> None:
+        # When Python ends, the thread does not run any more and cannot be waited for.
+        if not self._closed and not sys.is_finalizing():
+            warn_unclosed(self)
+            self._reader.stop()
 
     def __enter__(self) -> Device:
         return self
@@ -101,10 +120,11 @@ class Device:
     def reopen(self, timeout: float = 10.0) -> None:
         """Opens the port again after it was lost or closed, trying for `timeout` seconds.
 
-        Waiting commands end without an answer; data already received is kept. Raises OSError if it
-        is not available in time, PortClosed if the device is closed meanwhile, ValueError if
-        `open_port` has not opened it.
+        Waiting commands end without an answer; data already received is kept, and iterations of
+        other threads that have not ended go on. Raises OSError if it is not available in time,
+        PortClosed if the device is closed meanwhile, ValueError if `open_port` has not opened it.
         """
+        check_seconds(timeout)
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         reader, closes = self._reader, self._closes
@@ -112,28 +132,35 @@ class Device:
             if self._reader is reader:  # else another thread has done it meanwhile
                 self._open_again(self._again, timeout, closes)
 
-    def _open_again(self, again: Callable[[], Any], timeout: float, closes: int) -> None:
+    def _open_again(self, again: Callable[[int], Any], timeout: float, closes: int) -> None:
+        rate = self.baud or USUAL
         self._reader.stop()
-        end = time.monotonic() + timeout
+        try:
+            port = self._opened(partial(again, rate), time.monotonic() + timeout, closes)
+        except BaseException as error:
+            self._give_up(error)
+            raise
+        with self._lock:
+            meanwhile = self._closes != closes
+            if not meanwhile:
+                self._talk.restart()
+                self._end = None
+                self._start(port)
+                self._answered.notify_all()
+        if meanwhile:
+            port.close()
+            raise PortClosed(CLOSED_MEANWHILE)
+
+    def _opened(self, again: Callable[[], Any], end: float, closes: int) -> Any:
         while True:
             try:
-                port = again()
-                break
+                return again()
             except OSError:
                 if self._closes != closes:
                     raise PortClosed(CLOSED_MEANWHILE) from None
                 if time.monotonic() >= end:
                     raise
                 time.sleep(0.1)
-        with self._lock:
-            meanwhile = self._closes != closes
-            if not meanwhile:
-                self._talk.restart()
-                self._end, self._closed = None, False
-                self._start(port)
-        if meanwhile:
-            port.close()
-            raise PortClosed(CLOSED_MEANWHILE)
 
     # ----------------------------------------------------------------- what is known
 
@@ -248,10 +275,11 @@ class Device:
                 self._must_be_open()
                 packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
-                write_all(self._port, packet)
+                self._reader.write(packet)
             except Exception as error:
                 with self._lock:
                     self._talk.forget(tickets)
+                    self._must_be_open()
                 raise PortClosed(f"the port cannot write: {error}") from error
             except BaseException:
                 with self._lock:
@@ -289,7 +317,7 @@ class Device:
 
         Raises PortClosed when the port is lost, after all data received before.
         """
-        return self._next(None if timeout is None else time.monotonic() + timeout)
+        return self._next(deadline_of(timeout))
 
     def _next(self, deadline: float | None) -> Arrival | None:
         if threading.current_thread() is self._reader:
@@ -306,16 +334,29 @@ class Device:
                 self._arrived.wait(None if left is None else min(left, threading.TIMEOUT_MAX))
             return arrivals.popleft()
 
-    def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]:
+    @overload
+    def fields(self, a: type[F1], /) -> Iterator[tuple[float, F1]]: ...
+    @overload
+    def fields(self, a: type[F1], b: type[F2], /) -> Iterator[tuple[float, F1 | F2]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], /
+    ) -> Iterator[tuple[float, F1 | F2 | F3]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
+    ) -> Iterator[tuple[float, F1 | F2 | F3 | F4]]: ...
+    @overload
+    def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]: ...
+    def fields(self, *kinds: type[Any]) -> Iterator[tuple[float, Any]]:
         """The fields of these types as they arrive, each with its time of arrival (`Arrival.time`).
 
-        Those of one packet are in the order of `kinds`. Fields that cannot be decoded raise
-        DecodeError.
+        Those of one packet are in the order of `kinds`, and those of one type in the order of the
+        packet. Fields that cannot be decoded raise DecodeError.
         """
         for arrival in self:
             for kind in kinds:
-                field = arrival.find(kind)
-                if field is not None:
+                for field in arrival.find_all(kind):
                     yield arrival.time, field
 
     def clear(self) -> None:
@@ -373,13 +414,19 @@ class Device:
         with self._lock:
             if threading.current_thread() is not self._reader:  # of a port that was opened again
                 return
-            if self._end is None:
-                self._end = lost(error)
+            if error is not None:  # else it was stopped, by `close` or to open the port again
+                self._give_up(error)
             try:
                 self._talk.end(time.monotonic(), time.time())
             finally:
                 self._answered.notify_all()
                 self._arrived.notify_all()
+
+    def _give_up(self, error: BaseException) -> None:
+        with self._lock:
+            self._end = self._end or lost(error)
+            self._answered.notify_all()
+            self._arrived.notify_all()
 
     def _tell(self, news: News) -> None:
         if news.answers:
@@ -388,15 +435,23 @@ class Device:
             self._arrived.notify_all()
 
 
-def lost(error: BaseException | None) -> PortClosed:
+def deadline_of(timeout: float | None) -> float | None:
+    """When a time that begins now is over."""
+    if timeout is None:
+        return None
+    check_seconds(timeout)
+    return time.monotonic() + timeout
+
+
+def lost(error: BaseException) -> PortClosed:
     """The reason why no more data arrives."""
-    found = PortClosed(f"the port is gone: {error}")
+    found = PortClosed(f"the port is gone: {str(error) or type(error).__name__}")
     found.__cause__ = error
     return found
 
 
 def open_port(
-    url: str,
+    url: str | os.PathLike[str],
     baud: int | None = USUAL,
     *,
     timeout: float = 1.0,
@@ -407,25 +462,27 @@ def open_port(
     """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
     `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All except
-    TCP connections need pyserial, which the extra `serial` installs. Raises OSError if the port
-    cannot be opened, NoDevice if no baud rate is found, ValueError if the URL is wrong, and
-    MissingExtra.
+    TCP connections need pyserial, which the extra `serial` installs. A serial port is opened for this
+    device alone. Raises OSError if the port cannot be opened or is in use, NoDevice if no baud rate
+    is found, ValueError if the URL is wrong, and MissingExtra.
     """
     found = connect(url, baud)
     device = Device(
         found, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
     )
-    rate = device.baud or USUAL
-    device._again = lambda: open_url(url, device.baud or rate)
+    device._again = partial(open_url, url)
     return device
 
 
-def connect(url: str, baud: int | None) -> Any:
-    """The port of this URL, at the baud rate of the device."""
+def connect(
+    url: str | os.PathLike[str], baud: int | None, wanted: Callable[[], bool] = lambda: True
+) -> Any:
+    """The port of this URL, at the baud rate of the device. It is not searched any longer when it is
+    not `wanted` any more."""
     port = open_url(url, USUAL if baud is None else baud)
     try:
         if baud is None and hasattr(port, "baudrate"):
-            detect_baud(port)
+            detect_baud(port, takewhile(lambda _: wanted(), rates()))
     except BaseException:
         port.close()
         raise

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import errno
+import inspect
 import os
 import re
 import selectors
 import socket
 import threading
 import time
+import warnings
+import weakref
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any, Protocol
+from typing import Any, ParamSpec, Protocol
 from urllib.parse import urlsplit
 
 from .errors import MissingExtra
@@ -25,6 +29,11 @@ CONNECT_TIMEOUT = 10.0
 AT_ONCE = 4096
 #: Seconds until a port that returns immediately without data is read again.
 PAUSE = 0.002
+
+#: Why a serial port cannot be opened although it is there.
+IN_USE = (
+    "the port is in use by another program, or by a device of this one that is still open; close it"
+)
 
 _HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
 
@@ -82,8 +91,8 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
     """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial
     supports.
 
-    Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
-    pyserial, which TCP connections do not need.
+    A serial port is opened for this program alone. Raises OSError if it cannot be opened, ValueError
+    if the URL is wrong, MissingExtra without pyserial, which TCP connections do not need.
     """
     if not isinstance(baud, int):
         raise TypeError(f"baud rate {baud!r}: needs a whole number, as in 115200")
@@ -97,9 +106,15 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
         serial: Any = import_module("serial")
     except ImportError:
         raise MissingExtra("pyserial", "serial") from None
-    return serial.serial_for_url(
-        url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT
-    )
+    try:
+        # Two readers of one port would each get a part of what arrives.
+        return serial.serial_for_url(
+            url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT, exclusive=True
+        )
+    except OSError as error:
+        if error.errno not in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
+            raise
+        raise OSError(errno.EBUSY, IN_USE, url) from error
 
 
 def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
@@ -127,6 +142,12 @@ def as_port(port: Any) -> Any:
         return SocketPort(port)
     if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
         raise TypeError(f"{port!r} is not a port: it needs `read` and `write`")
+    try:
+        inspect.signature(port.read).bind(AT_ONCE)
+    except TypeError:
+        raise TypeError(f"{port!r} is not a port: its `read` takes no size") from None
+    except ValueError:  # as of functions in C that do not say what they take
+        pass
     return port
 
 
@@ -140,13 +161,45 @@ def read_some(port: Any) -> bytes:
     return read(AT_ONCE) or b""
 
 
-def write_all(port: Any, data: bytes) -> None:
-    """Writes all bytes; a port may accept fewer at once."""
+def write_all(port: Any, data: bytes, wait: Callable[[float], object] = time.sleep) -> None:
+    """Writes all bytes; a port may accept fewer at once.
+
+    Raises TimeoutError if it accepts none for `WRITE_TIMEOUT`, or none and `wait`, which is called
+    with a number of seconds, returns true.
+    """
+    end: float | None = None
     while data:
         count = port.write(data)
         if count is None:
             return
         data = data[count:]
+        if count:
+            end = None
+        elif data:
+            now = time.monotonic()
+            end = now + WRITE_TIMEOUT if end is None else end
+            if now >= end or wait(PAUSE):
+                raise TimeoutError("the other end takes nothing")
+
+
+P = ParamSpec("P")
+
+
+def weakly(method: Callable[P, object]) -> Callable[P, None]:
+    """Calls a method as long as its object is there, and does not keep the object."""
+    reference = weakref.WeakMethod(method)
+
+    def call(*args: P.args, **options: P.kwargs) -> None:
+        found = reference()
+        if found is not None:
+            found(*args, **options)
+
+    return call
+
+
+def warn_unclosed(device: object) -> None:
+    """A device was dropped without being closed."""
+    warnings.warn(f"{device!r} is not closed", ResourceWarning, 3, source=device)
 
 
 class Reader(threading.Thread):
@@ -182,6 +235,10 @@ class Reader(threading.Thread):
             error = None if self._stopped.is_set() else caught
         self._on_end(error)
 
+    def write(self, data: bytes) -> None:
+        """Writes all bytes to the port, unless the reader is stopped meanwhile."""
+        write_all(self._port, data, self._stopped.wait)
+
     def stop(self) -> None:
         """Ends the thread and closes the port, whatever the thread is waiting for."""
         self._stopped.set()
@@ -212,5 +269,7 @@ __all__ = [
     "as_port",
     "open_url",
     "read_some",
+    "warn_unclosed",
+    "weakly",
     "write_all",
 ]

@@ -12,15 +12,34 @@ loop that created the device, from any number of tasks.
 from __future__ import annotations
 
 import asyncio
+import os
+import sys
+import threading
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Sequence
+from functools import partial
 from types import TracebackType
-from typing import Any, TypeVar, cast, overload
+from typing import Any, cast, overload
 
 from .baud import CHANGE, LISTEN, USUAL, Ping
-from .client import Outcome
+from .client import Outcome, check_seconds
 from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
-from .device import CLOSED_MEANWHILE, R1, R2, R3, R4, Callback, F, connect, lost
+from .device import (
+    CLOSED_MEANWHILE,
+    F1,
+    F2,
+    F3,
+    F4,
+    R1,
+    R2,
+    R3,
+    R4,
+    Callback,
+    F,
+    connect,
+    deadline_of,
+    lost,
+)
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, R
 from .port import (
@@ -31,10 +50,10 @@ from .port import (
     Reader,
     address,
     as_port,
-    write_all,
+    warn_unclosed,
+    weakly,
 )
 
-T = TypeVar("T")
 #: How often the event loop is let run before a command is sent: with that, what has arrived is
 #: processed even if the program has kept the loop busy. Streams take about five of these turns.
 TURNS = 10
@@ -42,11 +61,20 @@ TURNS = 10
 CLOSE_TIMEOUT = 1.0
 
 OnData = Callable[[bytes, float, float], object]
-OnEnd = Callable[["BaseException | None"], object]
+OnEnd = Callable[[BaseException], object]
+
+# Nothing here waits by `asyncio.wait_for` in the task of a caller: until Python 3.12, it drops a
+# cancellation that comes in the same turn of the event loop as the result.
 
 
 class Device:
-    """A device on an open port. An `async with` statement closes it at the end."""
+    """A device on an open port. An `async with` statement closes it at the end.
+
+    One that is dropped without being closed is closed, with a ResourceWarning. A task that waits for
+    it can be cancelled at any time; a command that is being written is then written whole.
+    """
+
+    _closed = True  # until there is a port
 
     def __init__(
         self,
@@ -63,20 +91,26 @@ class Device:
         self._talk = Conversation(timeout, capacity, on_skipped)
         self._on_bytes = on_bytes
         self._loop = asyncio.get_running_loop()
-        self._answered = asyncio.Event()
-        self._arrived = asyncio.Event()
+        self._answered = self._loop.create_future()  # done when there is something new
+        self._arrived = self._loop.create_future()
         self._writing = asyncio.Lock()
+        self._written: asyncio.Future[None] | None = None  # the latest packet
         self._opening = asyncio.Lock()
         self._closes = 0
         self._end: PortClosed | None = None
-        self._closed = False
-        self._again: Callable[[], Coroutine[Any, Any, Any]] | None = None
+        self._again: Callable[[int], Coroutine[Any, Any, Any]] | None = None
         self._start(port)
 
     def _start(self, port: Any) -> None:
         kind = Streams if isinstance(port, tuple) else Threaded
         self._link: Streams | Threaded = kind(port, self._loop)
-        self._link.start(self._receive, self._lose)
+        self._link.start(weakly(self._receive), weakly(self._lose))
+        self._closed = False
+
+    def __del__(self) -> None:
+        if not self._closed and not sys.is_finalizing():
+            warn_unclosed(self)
+            self._link.abandon()
 
     async def __aenter__(self) -> Device:
         return self
@@ -99,6 +133,7 @@ class Device:
 
     async def reopen(self, timeout: float = 10.0) -> None:
         """Like `device.Device.reopen`."""
+        check_seconds(timeout)
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         link, closes = self._link, self._closes
@@ -107,27 +142,35 @@ class Device:
                 await self._open_again(self._again, timeout, closes)
 
     async def _open_again(
-        self, again: Callable[[], Coroutine[Any, Any, Any]], timeout: float, closes: int
+        self, again: Callable[[int], Coroutine[Any, Any, Any]], timeout: float, closes: int
     ) -> None:
-        await self._link.stop()
-        end = time.monotonic() + timeout
+        rate = self.baud or USUAL
+        try:
+            await self._link.stop()
+            port = await self._opened(partial(again, rate), time.monotonic() + timeout, closes)
+        except BaseException as error:
+            self._give_up(error)
+            raise
+        if self._closes != closes:
+            _close(port)
+            raise PortClosed(CLOSED_MEANWHILE)
+        self._talk.restart()
+        self._end = None
+        self._start(port)
+        self._wake(News(True, True))
+
+    async def _opened(
+        self, again: Callable[[], Coroutine[Any, Any, Any]], end: float, closes: int
+    ) -> Any:
         while True:
             try:
-                port = await again()
-                break
+                return await again()
             except OSError:
                 if self._closes != closes:
                     raise PortClosed(CLOSED_MEANWHILE) from None
                 if time.monotonic() >= end:
                     raise
                 await asyncio.sleep(0.1)
-        self._talk.restart()
-        self._wake(News(True, True))
-        self._start(port)
-        if self._closes != closes:
-            await self._link.stop()
-            raise PortClosed(CLOSED_MEANWHILE)
-        self._end, self._closed = None, False
 
     # ----------------------------------------------------------------- what is known
 
@@ -235,14 +278,18 @@ class Device:
         self, commands: Sequence[Command], timeout: float | None, wait: bool = True
     ) -> list[Ticket]:
         async with self._writing:  # so that answers come in the order of the commands
+            if self._written is not None and not self._written.done():
+                await asyncio.wait((self._written,))  # its task has been cancelled
             for _ in range(TURNS):  # a late answer is not that of this command
                 await asyncio.sleep(0)
             self._must_be_open()
             packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
-                await self._link.write(packet)
+                self._written = self._link.write(packet)
+                await asyncio.shield(self._written)  # part of a packet would be noise
             except Exception as error:
                 self._talk.forget(tickets)
+                self._must_be_open()
                 raise PortClosed(f"the port cannot write: {error}") from error
             except BaseException:
                 self._talk.forget(tickets)
@@ -257,7 +304,7 @@ class Device:
             if left <= 0:
                 self._wake(self._talk.poll(time.monotonic()))
             else:
-                await _set(self._answered, left)
+                await asyncio.wait((self._answered,), timeout=left)
 
     def _must_be_open(self) -> None:
         if self._end is not None:
@@ -279,7 +326,7 @@ class Device:
 
         Raises PortClosed when the port is lost, after all data received before.
         """
-        return await self._next(None if timeout is None else time.monotonic() + timeout)
+        return await self._next(deadline_of(timeout))
 
     async def _next(self, deadline: float | None) -> Arrival | None:
         arrivals = self._talk.arrivals
@@ -290,19 +337,28 @@ class Device:
             left = None if deadline is None else deadline - time.monotonic()
             if left is not None and left <= 0:
                 return None
-            await _set(self._arrived, left)
+            await asyncio.wait((self._arrived,), timeout=left)
         return arrivals.popleft()
 
-    async def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[float, F]]:
-        """The fields of these types as they arrive, each with its time of arrival (`Arrival.time`).
-
-        Those of one packet are in the order of `kinds`. Fields that cannot be decoded raise
-        DecodeError.
-        """
+    @overload
+    def fields(self, a: type[F1], /) -> AsyncIterator[tuple[float, F1]]: ...
+    @overload
+    def fields(self, a: type[F1], b: type[F2], /) -> AsyncIterator[tuple[float, F1 | F2]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], /
+    ) -> AsyncIterator[tuple[float, F1 | F2 | F3]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
+    ) -> AsyncIterator[tuple[float, F1 | F2 | F3 | F4]]: ...
+    @overload
+    def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[float, F]]: ...
+    async def fields(self, *kinds: type[Any]) -> AsyncIterator[tuple[float, Any]]:
+        """Like `device.Device.fields`."""
         async for arrival in self:
             for kind in kinds:
-                field = arrival.find(kind)
-                if field is not None:
+                for field in arrival.find_all(kind):
                     yield arrival.time, field
 
     def clear(self) -> None:
@@ -347,30 +403,25 @@ class Device:
         else:
             self._wake(self._talk.idle(monotonic, clock))
 
-    def _lose(self, error: BaseException | None) -> None:
-        if self._end is None:
-            self._end = lost(error)
+    def _lose(self, error: BaseException) -> None:
+        self._end = self._end or lost(error)
         try:
             self._talk.end(time.monotonic(), time.time())
         finally:
             self._wake(News(True, True))
 
+    def _give_up(self, error: BaseException) -> None:
+        self._end = self._end or lost(error)
+        self._wake(News(True, True))
+
     def _wake(self, news: News) -> None:
-        # Whoever waits has the event; those who come later wait for the next one.
+        # Whoever waits has the future; those who come later wait for the next one.
         if news.answers:
-            self._answered.set()
-            self._answered = asyncio.Event()
+            self._answered.set_result(None)
+            self._answered = self._loop.create_future()
         if news.arrivals:
-            self._arrived.set()
-            self._arrived = asyncio.Event()
-
-
-async def _set(event: asyncio.Event, seconds: float | None) -> None:
-    """Waits for an event, at most this many seconds."""
-    try:
-        await asyncio.wait_for(event.wait(), seconds)
-    except (TimeoutError, asyncio.TimeoutError):  # two classes until Python 3.11
-        pass
+            self._arrived.set_result(None)
+            self._arrived = self._loop.create_future()
 
 
 # --------------------------------------------------------------------------- how bytes are moved
@@ -402,22 +453,28 @@ class Threaded:
             self._finish(error)
 
     def _ended(self, error: BaseException | None) -> None:
+        if error is None:  # it was stopped
+            return
         try:
             self._loop.call_soon_threadsafe(self._finish, error)
         except RuntimeError:  # the loop is closed
             pass
 
-    def _finish(self, error: BaseException | None) -> None:
+    def _finish(self, error: BaseException) -> None:
         if not self._stopped:
             self._stopped = True
             self._on_end(error)
 
-    async def write(self, data: bytes) -> None:
-        await asyncio.to_thread(write_all, self.port, data)
+    def write(self, data: bytes) -> asyncio.Future[None]:
+        return asyncio.ensure_future(asyncio.to_thread(self._reader.write, data))
 
     async def stop(self) -> None:
         self._stopped = True
         await asyncio.to_thread(self._reader.stop)
+
+    def abandon(self) -> None:
+        self._stopped = True
+        self._reader.stop()
 
 
 class Streams:
@@ -456,8 +513,11 @@ class Streams:
             if reading is not None:
                 reading.cancel()
 
-    async def write(self, data: bytes) -> None:
+    def write(self, data: bytes) -> asyncio.Future[None]:
         self._writer.write(data)
+        return asyncio.ensure_future(self._drain())
+
+    async def _drain(self) -> None:
         try:
             await asyncio.wait_for(self._writer.drain(), WRITE_TIMEOUT)
         except asyncio.TimeoutError:
@@ -465,13 +525,23 @@ class Streams:
             raise TimeoutError("the other end takes nothing") from None
 
     async def stop(self) -> None:
-        self._task.cancel()
-        self._writer.close()
+        self._leave()
         ends = asyncio.gather(self._task, self._writer.wait_closed(), return_exceptions=True)
         try:
-            await asyncio.wait_for(ends, CLOSE_TIMEOUT)
-        except asyncio.TimeoutError:  # what was written cannot go out
-            self._writer.transport.abort()
+            await asyncio.wait((ends,), timeout=CLOSE_TIMEOUT)
+        finally:
+            if not ends.done():  # what was written cannot go out
+                self._writer.transport.abort()
+
+    def abandon(self) -> None:
+        try:
+            self._loop.call_soon_threadsafe(self._leave)
+        except RuntimeError:  # the loop is closed
+            pass
+
+    def _leave(self) -> None:
+        self._task.cancel()
+        self._writer.close()
 
 
 class open_port:  # noqa: N801  # it is called like the function of the other module
@@ -482,7 +552,7 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
 
     def __init__(
         self,
-        url: str,
+        url: str | os.PathLike[str],
         baud: int | None = USUAL,
         *,
         timeout: float = 1.0,
@@ -521,19 +591,43 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
             on_bytes=self._on_bytes,
             on_skipped=self._on_skipped,
         )
-        rate = device.baud or USUAL
-        device._again = lambda: _connect(self._url, device.baud or rate)
+        device._again = partial(_connect, self._url)
         return device
 
 
-async def _connect(url: str, baud: int | None) -> Any:
+async def _connect(url: str | os.PathLike[str], baud: int | None) -> Any:
     host = address(url)
+    opening: asyncio.Future[Any]
+    stop: Callable[[], object]
+    seconds: float | None
     if host is not None:
-        try:
-            return await asyncio.wait_for(asyncio.open_connection(*host), CONNECT_TIMEOUT)
-        except asyncio.TimeoutError:
-            raise TimeoutError(f"{url} does not answer") from None
-    return await asyncio.to_thread(connect, url, baud)
+        opening = asyncio.ensure_future(asyncio.open_connection(*host))
+        stop, seconds = opening.cancel, CONNECT_TIMEOUT
+    else:
+        wanted = threading.Event()
+        wanted.set()
+        opening = asyncio.ensure_future(asyncio.to_thread(connect, url, baud, wanted.is_set))
+        stop, seconds = wanted.clear, None
+    try:
+        done, _ = await asyncio.wait((opening,), timeout=seconds)
+        if not done:
+            raise TimeoutError(f"{url} does not answer")
+    except BaseException:
+        stop()
+        opening.add_done_callback(_discard)
+        await asyncio.wait((opening,), timeout=CLOSE_TIMEOUT)  # the port can be opened again then
+        raise
+    return opening.result()
+
+
+def _discard(opening: asyncio.Future[Any]) -> None:
+    if not opening.cancelled() and opening.exception() is None:
+        _close(opening.result())
+
+
+def _close(port: Any) -> None:
+    """Closes a port that no device has."""
+    (port[1] if isinstance(port, tuple) else port).close()
 
 
 __all__ = ["Device", "open_port"]

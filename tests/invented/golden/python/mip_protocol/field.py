@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
@@ -193,13 +194,18 @@ class Field(Structure):
         Raises DecodeError if it cannot be decoded, or if the packet ends within a field before it
         is found.
         """
+        return next(cls.find_all(packet), None)
+
+    @classmethod
+    def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
+        """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
+        cannot be decoded, or within which the packet ends."""
         shared = cls.SET == 0xFF and packet.set >= 0x80
         ack = cls.SET == 0 and packet.set < 0x80
         if packet.set == cls.SET or shared or ack:
             for raw in packet:
                 if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
-                    return cls._received(raw)
-        return None
+                    yield cls._received(raw)
 
     @classmethod
     def _received(cls: type[F], raw: RawField) -> F:

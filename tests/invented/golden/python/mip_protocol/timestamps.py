@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from datetime import datetime, timedelta
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from . import registry
 from ._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
+from .errors import DecodeError
 from .field import Field
-from .parameter import Parameter
+from .packet import Packet
+from .parameter import Flag, Parameter
 
 SECOND = 1_000_000_000
 #: How far before a packet without a timestamp the last one of its set may be, in bytes. The same
@@ -64,4 +67,130 @@ def from_date(time: datetime) -> int:
     return (time - _UNIX) // timedelta(microseconds=1) * 1000
 
 
-__all__ = ["MOST", "REACH", "SECOND", "Leaps", "clock_of", "from_date", "kinds", "leaps", "scale"]
+class _Source(NamedTuple):
+    clock: str
+    kind: type[Field]
+    scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
+    flags: tuple[Flag, ...]
+    size: int  # bytes that its data have at least
+
+
+def headers(data: bytes) -> bytes:
+    """The lengths and descriptors of the fields of a packet, up to a malformed one."""
+    found = bytearray()
+    at, end = 4, len(data) - 2
+    while at < end:
+        length = data[at]
+        if length < 2 or length > end - at:
+            break
+        found += data[at : at + 2]
+        at += length
+    return bytes(found)
+
+
+def moments(packet: Packet) -> dict[str, int | None]:
+    """The times in a packet, in nanoseconds, by their clocks; None if they are not valid.
+
+    They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
+    one clock, that with the lowest descriptor counts.
+    """
+    data = bytes(packet)
+    return moments_of(data, headers(data)) if packet.set >= 0x80 else {}
+
+
+def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
+    """The same of the bytes of a packet of data, with the headers of its fields."""
+    places = _places(data[2], headers)
+    return {source.clock: _decoded(source, data[begin:end]) for source, begin, end in places}
+
+
+@lru_cache(maxsize=4096)
+def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
+    """Where packets with these fields have their times."""
+    found: dict[str, tuple[int, _Source, int, int]] = {}
+    at = 4
+    for length, descriptor in zip(headers[::2], headers[1::2]):
+        source = _source(number, descriptor)
+        if source is not None and found.get(source.clock, (0x100,))[0] > descriptor:
+            if length >= source.size + 2:
+                found[source.clock] = (descriptor, source, at + 2, at + length)
+        at += length
+    return tuple(place[1:] for place in found.values())
+
+
+@cache
+def _source(set: int, descriptor: int) -> _Source | None:
+    clock = clock_of(set, descriptor)
+    if clock is None:
+        return None
+    from .reflection import info
+
+    (kind,) = registry.types(set, descriptor)
+    parts = [(p, n) for p in info(kind).parameters if (n := scale(p)) is not None]
+    flags = dict.fromkeys(flag for p, _ in parts for flag in p.flags)
+    scales = tuple((p.attribute, n) for p, n in parts)
+    return _Source(clock, kind, scales, tuple(flags), _size(kind))
+
+
+def _size(kind: type[Field]) -> int:
+    """How many bytes of zeros are needed to decode one."""
+    for size in range(254):
+        try:
+            kind.decode(bytes(size))
+            return size
+        except DecodeError:
+            continue
+    return 254
+
+
+def time_of(field: Field) -> int | None:
+    """The time that a field such as `shared.GpsTimestamp` holds, as `moments` has it; None if it is not
+    valid. Raises ValueError if the field is not the timestamp of a packet."""
+    source = _source(field.SET, field.DESCRIPTOR)
+    if source is None:
+        raise ValueError(f"{field.NAME} does not hold the time of its packet")
+    return _time(source, field)
+
+
+def _decoded(source: _Source, data: bytes) -> int | None:
+    try:
+        return _time(source, source.kind.decode(data))
+    except DecodeError:
+        return None
+
+
+def _time(source: _Source, value: Field) -> int | None:
+    for flag in source.flags:
+        if not flag.holds(int(getattr(value, flag.attribute))):
+            return None
+    total = 0
+    for attribute, scale in source.scales:
+        number = getattr(value, attribute)
+        if not -MOST < number * scale < MOST:  # NaN is not, either
+            return None
+        total += round(number * scale)
+    return utc(source.clock, total) if CLOCKS[source.clock] else total
+
+
+def utc(clock: str, time: int) -> int:
+    """A time of a clock with a date as UTC; during a leap second the next one begins."""
+    begins, shifts = leaps(clock)
+    return time + shifts[bisect_right(begins, time)]
+
+
+__all__ = [
+    "MOST",
+    "REACH",
+    "SECOND",
+    "Leaps",
+    "clock_of",
+    "from_date",
+    "headers",
+    "kinds",
+    "leaps",
+    "moments",
+    "moments_of",
+    "scale",
+    "time_of",
+    "utc",
+]

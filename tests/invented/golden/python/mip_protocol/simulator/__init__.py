@@ -3,5 +3,6 @@
 from .device import VirtualDevice
 from .faults import Faults, Injected
 from .link import Link
+from .live import LivePort
 
-__all__ = ["Faults", "Injected", "Link", "VirtualDevice"]
+__all__ = ["Faults", "Injected", "Link", "LivePort", "VirtualDevice"]

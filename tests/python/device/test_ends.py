@@ -1,0 +1,327 @@
+"""How devices and what waits for them end: dropped, closed, opened again, cancelled, at ports that take nothing."""
+
+from __future__ import annotations
+
+import asyncio
+import fcntl
+import gc
+import os
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import mip_protocol as mip
+import pytest
+import serial
+from both import Kind, packet, until
+from mip_protocol import aio, base, port
+from support import another_python
+from test_requests import inside, python
+
+DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
+PING = base.Ping()
+
+
+@pytest.fixture(params=["threads", "asyncio"])
+def kind(request: pytest.FixtureRequest) -> Kind:
+    return Kind(request.param)
+
+
+@pytest.fixture
+def server() -> Iterator[socket.socket]:
+    with socket.create_server(("localhost", 0)) as made:
+        made.settimeout(20)
+        yield made
+
+
+def url(server: socket.socket) -> str:
+    return f"socket://localhost:{server.getsockname()[1]}"
+
+
+class Silent:
+    """A port at which nothing arrives; it takes one byte of a packet at a time."""
+
+    def __init__(self, seconds: float = 0.0) -> None:
+        self.sent = bytearray()
+        self.closed = False
+        self.seconds = seconds
+
+    def read(self, size: int) -> bytes:
+        time.sleep(0.002)
+        return b""
+
+    def write(self, data: bytes) -> int:
+        time.sleep(self.seconds)
+        self.sent += data[:1]
+        return 1
+
+    def close(self) -> None:
+        self.closed = True
+
+
+class Stuck(Silent):
+    def write(self, data: bytes) -> int:
+        return 0
+
+
+# --------------------------------------------------------------------------- devices that are not closed
+
+
+def test_a_dropped_device_closes_its_port(server: socket.socket) -> None:
+    """No thread goes on reading the port, and takes what arrives from the next device."""
+    device: Any = mip.open_port(url(server), on_skipped=lambda data: None)
+    reader = device._reader
+    with server.accept()[0] as connection:
+        with pytest.warns(ResourceWarning, match="Device object at .* is not closed"):
+            device = None
+        assert not reader.is_alive()
+        assert connection.recv(1) == b""
+
+
+def test_a_dropped_device_for_asyncio_closes_its_port(server: socket.socket) -> None:
+    async def main() -> None:
+        before = asyncio.all_tasks()
+        device: Any = await aio.open_port(url(server), on_skipped=lambda data: None)
+        connection, _ = server.accept()
+        connection.settimeout(20)
+        with connection:
+            with pytest.warns(ResourceWarning, match="Device object at .* is not closed"):
+                device = None
+            while asyncio.all_tasks() - before:
+                await asyncio.sleep(0)
+            assert connection.recv(1) == b""
+        device = aio.Device(silent := Silent())  # read by a thread
+        await device.send(PING)
+        with pytest.warns(ResourceWarning, match="is not closed"):
+            device = None
+            gc.collect()  # the frames of the write
+        assert silent.closed
+
+    asyncio.run(asyncio.wait_for(main(), 20))
+
+
+def test_a_device_that_was_not_made_is_not_unclosed(kind: Kind, recwarn: pytest.WarningsRecorder) -> None:
+    for wrong in ((object(), {}), (Silent(), {"capacity": 0})):
+        with pytest.raises((TypeError, ValueError)):
+            kind.at(wrong[0], **wrong[1])
+    gc.collect()
+    assert not [w for w in recwarn if "Device object" in str(w.message)]
+
+
+def test_the_end_of_a_program_does_not_wait_for_a_device() -> None:
+    code = "from mip_protocol import Device\nimport time\n"
+    code += "class Port:\n def read(self, n): time.sleep(0.01); return b''\n def write(self, data): pass\n"
+    code += "device = Device(Port())\nprint('end')"
+    assert python(code, "-W", "error") == "end"
+
+
+def test_a_serial_port_is_opened_once(kind: Kind) -> None:
+    """Two readers of one port would each get a part of what arrives: a cell of a notebook that runs twice, say."""
+    master, slave = os.openpty()
+    path = os.ttyname(slave)
+    try:
+        with kind.open(path):
+            with pytest.raises(OSError, match="in use by another program, or by a device of this one"):
+                kind.open(path)
+            with pytest.raises(serial.SerialException):
+                serial.Serial(path, exclusive=True)
+        with kind.open(path):
+            pass
+    finally:
+        os.close(slave)
+        os.close(master)
+
+
+# --------------------------------------------------------------------------- ports that take nothing
+
+
+def test_a_port_that_takes_nothing(kind: Kind, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(port, "WRITE_TIMEOUT", 0.1)
+    with kind.at(Stuck()) as device, pytest.raises(mip.PortClosed, match="cannot write: the other end takes nothing"):
+        device.request(PING)
+
+
+def test_a_device_that_is_closed_while_its_port_takes_nothing(kind: Kind) -> None:
+    with kind.at(Stuck()) as device:
+        ends: list[str] = []
+
+        def ask() -> None:
+            with pytest.raises(mip.PortClosed) as caught:
+                device.request(PING)
+            ends.append(str(caught.value))
+
+        thread = threading.Thread(target=ask)
+        thread.start()
+        until(lambda: inside(device)._writing.locked())
+        device.close()
+        thread.join(4)  # less than the time-out of a write
+        assert ends == ["closed: the device has been closed"]
+
+
+# --------------------------------------------------------------------------- a healthy port that is opened again
+
+
+def test_a_healthy_port_that_is_opened_again(kind: Kind, server: socket.socket) -> None:
+    """Iterations go on; requests that wait end without an answer."""
+    device = kind.open(url(server), timeout=60.0)
+    ends: list[Any] = []
+    taken: list[Any] = []
+
+    def ask() -> None:
+        with pytest.raises(mip.NoAnswer) as caught:
+            device.request(PING)
+        ends.append(caught.value)
+
+    def take() -> None:
+        try:
+            taken.extend(device)
+        except mip.PortClosed as error:
+            ends.append(error)
+
+    with device, server.accept()[0] as first:
+        threads = [threading.Thread(target=ask), threading.Thread(target=take)]
+        for thread in threads:
+            thread.start()
+        assert first.recv(100)
+        first.sendall(DATA)
+        until(lambda: taken)
+        if not kind.waits:  # long enough for all threads to see that the port is not there
+            again = device._again
+            device._again = lambda *rate: (time.sleep(0.1), again(*rate))[1]
+        device.reopen()
+        with server.accept()[0] as second:
+            threads[0].join(20)
+            assert [e.kind for e in ends] == ["no_answer"] and not device.closed
+            second.sendall(DATA)
+            until(lambda: len(taken) == 2)
+            server.close()
+            with pytest.raises(OSError):
+                device.reopen(timeout=0.1)
+            threads[1].join(20)  # what waits for data does not wait for ever
+            assert device.closed and [e.kind for e in ends] == ["no_answer", "closed"]
+
+
+# --------------------------------------------------------------------------- cancellations
+
+
+def test_a_command_that_is_cancelled_is_written_whole() -> None:
+    async def main() -> None:
+        slow = Silent(0.01)
+        async with aio.Device(slow, timeout=20.0) as device:
+            first, second = bytes(PING.packet()), bytes(base.SetIdle().packet())
+            task = asyncio.ensure_future(device.request(PING))
+            while not slow.sent:
+                await asyncio.sleep(0.001)
+            task.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await task
+            assert len(slow.sent) < len(first)  # it does not wait for the port
+            await device.send(base.SetIdle())
+            assert bytes(slow.sent) == first + second
+
+    asyncio.run(main())
+
+
+def test_opening_that_is_cancelled_ends() -> None:
+    """The port is closed again, and no rate is tried any more."""
+    master, slave = os.openpty()
+    written: list[bytes] = []
+
+    def take() -> None:
+        try:
+            while data := os.read(master, 100):
+                written.append(data)
+        except OSError:
+            pass
+
+    async def main() -> None:
+        opening = asyncio.ensure_future(aio.open_port(os.ttyname(slave), None)._open())
+        while not written:
+            await asyncio.sleep(0.001)
+        opening.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await opening
+        # A lock fails as long as somebody else has the port.
+        with open(os.ttyname(slave), "rb") as terminal:
+            fcntl.flock(terminal, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        await asyncio.sleep(0.7)
+        assert len(b"".join(written)) <= 2 * len(bytes(PING.packet()))
+
+    thread = threading.Thread(target=take, daemon=True)
+    thread.start()
+    try:
+        asyncio.run(main())
+    finally:
+        os.close(slave)
+        thread.join(20)
+        os.close(master)
+
+
+CANCELLED = """
+import asyncio
+from mip_protocol import aio, base, sensor
+
+DATA = bytes(sensor.ScaledAccel((1, 2, 3)).packet())
+
+class Writer:
+    transport = property(lambda self: self)
+    def set_write_buffer_limits(self, high): pass
+    def write(self, data): pass
+    def close(self): pass
+    def abort(self): pass
+    async def drain(self): pass
+    async def wait_closed(self): pass
+
+# Is a task cancelled so many turns of the loop after data has arrived?
+async def cancelled(turns, wait):
+    loop, task = asyncio.get_running_loop(), None
+
+    def later(left):
+        if left:
+            loop.call_soon(later, left - 1)
+        else:
+            task.cancel()
+
+    reader, seen = asyncio.StreamReader(), []
+
+    def on_bytes(data):
+        if not seen:
+            seen.append(data)
+            later(turns)
+
+    async with aio.Device((reader, Writer()), on_bytes=on_bytes) as device:
+
+        async def run():
+            while True:
+                await wait(device)
+
+        task = asyncio.ensure_future(run())
+        await asyncio.sleep(0.01)
+        reader.feed_data(DATA)
+        done, _ = await asyncio.wait([task], timeout=0.5)
+        while not task.done():
+            task.cancel()
+            await asyncio.sleep(0)
+        return bool(done)
+
+async def take(device):
+    async for _ in device:
+        pass
+
+async def main():
+    for wait in (take, lambda device: device.next(5)):
+        found = []
+        for turns in range(7):
+            found.append(await cancelled(turns, wait))
+        print(found.count(True))
+
+asyncio.run(main())
+"""
+
+
+@pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
+def test_cancellations_are_not_dropped(version: str) -> None:
+    """Also in the turn of the event loop in which what a task waits for has happened."""
+    assert python(CANCELLED, executable=another_python(version)) == "7\n7"
