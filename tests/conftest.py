@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -12,6 +13,8 @@ from support import BUILD
 
 # What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
+# A shell without job control makes background programs ignore Ctrl-C, and so do the programs that they start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 #: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
 left_out: set[tuple[str, str]] = set()
