@@ -384,3 +384,69 @@ test("nothing is global but `mip`", () => {
     assert.deepEqual(Object.keys(context), ["TextEncoder", "mip"]);
     assert.doesNotMatch(text("mip.js"), /^(import|export) /m);
 });
+
+// ---------------------------------------------------------------------------------------------------- pasted text
+
+const PING = "756501020201e0c6";
+
+test("bytes are read in the forms in which programs and tools write them", () => {
+    for (const text of [
+        "7565 0102\n0201  e0c6",
+        "7565  0102\n0201  e0c6",
+        "0120  75 65 01 02  ue..\n0124  02 01 e0 c6  ....",
+        "20001000  75 65 01 02  ue..\n20001004  02 01 e0 c6  ....",
+        "0x20001000: 75 65 01 02 02 01 e0 c6",
+        "00000000: 7565 0102  ue..\n00000004: 0201 e0c6  ....",
+        String.raw`b"ue\001\002\002\001\340\306"`,
+        String.raw`b"ue\1\2\2\1\xe0\xc6"`,
+        String.raw`"ue\1\2\2\1\340\306"`,
+        String.raw`write(3, "ue\1\2\2\1\340\306", 8) = 8`,
+        String.raw`don't: 'ue\x01\x02\x02\x01\xe0\xc6'`,
+        String.raw`printf \165\145\001\002\002\001\340\306`,
+        "{0x75u, 0x65u, 0x01u, 0x02U, 0x02u, 0x01ul, 0xE0u, 0xC6u}",
+        "[0x75u8, 0x65, 1, 2, 2, 1, 0xE0, 0xC6]",
+        "[0x75_u8, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6]",
+        "0x7565_0102_0201_e0c6",
+        "&H75, &H65, &H01, &H02, &H02, &H1, &HE0, &HC6",
+        "75_65_01_02_02_01_e0_c6",
+        "75.65.01.02.02.01.E0.C6",
+        "75-65-01-02-02-01-E0-C6",
+        "bytearray([117, 101, 1, 2, 2, 1, 224, 198])",
+        "Uint8Array(8) [\n  117, 101,   1,   2,\n    2,   1, 224, 198\n]",
+        "$1 = {117, 101, 1, 2, 2, 1, 224, 198}",
+        "[117u8, 101, 1, 2, 2, 1, 224, 198]",
+        "[117, 101, 1, 2, 2, 1, -32, -58]",
+        "[117 101   1   2   2   1 224 198]",
+        "dWUBAgIB4MY=",
+        '{"data": "dWUBAgIB4MY"}',
+        "[10:11:12.345] 75 65 01 02\n[10:11:12.346] 02 01 e0 c6",
+        "10:11:12 75 65 01 02\n10:11:13 02 01 e0 c6",
+        "2026-01-02T10:11:12.345Z 75 65 01 02\n2026-01-02T10:11:12.346Z 02 01 e0 c6",
+        "2026-01-02 10:11:12,345 75 65 01 02\n2026-01-02 10:11:12,346 02 01 e0 c6",
+        "0x75, 0x65, // sync 10\n0x01, /* set 20 */ 0x02, 0x02, 0x01, /* 30\n40 */ 0xe0, 0xc6",
+        "// 75 65 01 02 02 01 e0 c6",
+        "/* {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6} */",
+        "75:65:01:02:02:01:e0:c6",
+    ]) {
+        assert.equal(toHex(tools.bytesOfText(text).bytes), PING, text);
+    }
+});
+
+test("a long text is read", () => {
+    assert.equal(tools.bytesOfText("75 65 ".repeat(200000)).bytes.length, 400000);
+});
+
+test("what is left out of a pasted text is listed", () => {
+    for (const [text, ignored] of [
+        ["7565 0102\n0201  e0c6", []],
+        ["0124: 75 65 01 02", ["0124"]],
+        ["0124: 75 65 01 02  ue..\n0128: 02 01 e0 c6  ....", []],
+        ["[10:11:12.345] 75 65", ["10:11:12.345"]],
+        ["0x75, // sync 10\n0x65", ["// sync 10"]],
+        ["117, 101, 256", ["256"]],
+        ["117, 102", ["117, 102"]],
+        ["hello world", ["hello world"]],
+    ]) {
+        assert.deepEqual(tools.bytesOfText(text).ignored, ignored, text);
+    }
+});
