@@ -14,7 +14,7 @@ const text = (name) => fs.readFileSync(path.join(folder, name), "utf8");
 await load("model.js");
 const mip = await load("mip/index.mjs");
 const tools = await load("tools/index.mjs");
-const { Packet, Parser, Protocol, buildPacket, decodeData, encodeData, fromHex, segments, toHex } = mip;
+const { Packet, Parser, Protocol, buildPacket, checksum, decodeData, encodeData, fromHex, segments, toHex } = mip;
 const protocol = new Protocol(globalThis.mipModel);
 
 /** A protocol with one data field, 0x80,0x01, of these operations. */
@@ -152,6 +152,8 @@ test("numbers of sets and fields are checked", () => {
     for (const wrong of [12, null, undefined, "1", "0x", " 12"]) assert.throws(() => fromHex(wrong), { kind: "hex" });
 });
 
+const FAKES = ["Uint8Array", "ArrayBuffer"].map((name) => ({ [Symbol.toStringTag]: name, length: 3 }));
+
 test("only bytes are bytes", () => {
     const whole = buildPacket(protocol, 1, [{ descriptor: 1, raw: "" }]).bytes;
     const buffer = whole.buffer.slice(whole.byteOffset, whole.byteOffset + whole.length);
@@ -159,15 +161,65 @@ test("only bytes are bytes", () => {
     for (const bytes of [whole, buffer, Buffer.from(whole), elsewhere]) {
         assert.deepEqual(new Parser(protocol).feed(bytes)[0].bytes, whole);
         assert.equal(toHex(Packet.from(protocol, bytes).bytes), toHex(whole));
+        assert.equal(toHex(bytes), toHex(whole));
+        assert.equal(segments(protocol, bytes)[0].kind, "packet");
+        assert.deepEqual(checksum(bytes), checksum(whole));
     }
-    for (const wrong of ["text", "", null, undefined, 5, [...whole], {}, new DataView(buffer), new Uint16Array(buffer.slice(0, 6))]) {
+    for (const wrong of [
+        "text",
+        "",
+        null,
+        undefined,
+        5,
+        [...whole],
+        {},
+        new DataView(buffer),
+        new Uint16Array(buffer.slice(0, 6)),
+        ...FAKES,
+    ]) {
         const parser = new Parser(protocol);
         assert.throws(() => parser.feed(wrong), { name: "MipError", kind: "bytes", message: / is not a Uint8Array or an ArrayBuffer$/ });
         assert.equal(parser.feed(whole).length, 1);
         assert.throws(() => Packet.from(protocol, wrong), { kind: "bytes" });
+        for (const take of [segments, (of, bytes) => of.choose(128, 4, bytes)]) {
+            assert.throws(() => take(protocol, wrong), { kind: "bytes" });
+        }
+        for (const take of [toHex, checksum]) assert.throws(() => take(wrong), { kind: "bytes" });
+        assert.throws(() => decodeData(protocol, protocol.acknowledge, wrong), { kind: "bytes" });
         if (typeof wrong !== "string" && wrong !== undefined) {
             assert.throws(() => buildPacket(protocol, 1, [{ descriptor: 1, raw: wrong }]), { kind: "bytes" });
         }
+    }
+});
+
+test("arrays may be typed arrays", () => {
+    const floats = single([{ kind: "array", member: "x", item: { kind: "scalar", member: "item", scalar: "float" }, count: 2 }]);
+    for (const x of [new Float32Array([1, -2]), new Float64Array([1, -2]), [1, -2]]) assert.equal(floats.encode({ x }), "3f800000c0000000");
+    assert.throws(() => floats.encode({ x: new Float32Array(3) }), { kind: "count" });
+    for (const x of [new DataView(new ArrayBuffer(8)), new ArrayBuffer(8)]) assert.throws(() => floats.encode({ x }), { kind: "range" });
+    assert.equal(single(COUNTED).encode({ xs: Uint8Array.of(7, 8) }), "020708");
+    assert.equal(single([{ kind: "bits", member: "b", size: 2 }]).encode({ b: Uint8Array.of(7, 8) }), "0708");
+});
+
+test("wrong arguments are errors of one class", () => {
+    const field = protocol.model.fields.find((one) => one.operations.length > 0);
+    for (const wrong of [undefined, null, 0, 1n, "x", Symbol("x"), {}, [], [null], Object.create(null), () => 1, ...FAKES]) {
+        for (const call of [
+            () => new Protocol(wrong),
+            () => new Protocol({ format: wrong }),
+            () => new Protocol({ format: "1.0", packet: wrong }),
+            () => protocol.field(wrong),
+            () => protocol.type(wrong),
+            () => buildPacket(protocol, 1, [wrong]),
+            () => buildPacket(protocol, 1, [{ descriptor: 1, name: wrong, values: {} }]),
+            () => decodeData(protocol, wrong, new Uint8Array(12)),
+            () => encodeData(protocol, wrong, {}),
+            () => encodeData(protocol, field, wrong),
+            () => single(COUNTED).encode({ n: wrong, xs: [1, 2] }),
+        ]) {
+            assert.throws(call, { name: "MipError" }, String(call));
+        }
+        if (!Array.isArray(wrong)) assert.throws(() => buildPacket(protocol, 1, wrong), { kind: "fields" });
     }
 });
 

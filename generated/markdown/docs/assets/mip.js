@@ -22,7 +22,7 @@ class MipError extends Error {
 function checksum(bytes) {
     let a = 0;
     let b = 0;
-    for (const byte of bytes) {
+    for (const byte of bytesOf(bytes)) {
         a = (a + byte) & 0xff;
         b = (b + a) & 0xff;
     }
@@ -31,7 +31,7 @@ function checksum(bytes) {
 
 /** "7565", or with a separator "75 65". */
 function toHex(bytes, between = "") {
-    return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(between);
+    return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
 /** The bytes of hexadecimal digits without anything between them. */
@@ -41,12 +41,24 @@ function fromHex(text) {
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
+// What a value is, whatever it says of itself: the name of a typed array, also of another window, or undefined.
+const typedArray = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), Symbol.toStringTag).get;
+const bufferSize = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, "byteLength").get;
+
 /** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
 function bytesOf(value) {
-    const kind = Object.prototype.toString.call(value);
-    if (kind === "[object ArrayBuffer]") return new Uint8Array(value);
-    if (kind !== "[object Uint8Array]") throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
-    return value;
+    if (typedArray.call(value) === "Uint8Array") return value;
+    try {
+        bufferSize.call(value); // a TypeError for all else
+    } catch {
+        throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
+    }
+    return new Uint8Array(value);
+}
+
+/** Is a value an array or a typed array? */
+function isList(value) {
+    return Array.isArray(value) || typedArray.call(value) !== undefined;
 }
 
 function concatenated(...parts) {
@@ -158,7 +170,7 @@ function writeText(text, what) {
     });
 }
 
-return { MipError, checksum, toHex, fromHex, bytesOf, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+return { MipError, checksum, toHex, fromHex, bytesOf, isList, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
@@ -166,7 +178,7 @@ return { MipError, checksum, toHex, fromHex, bytesOf, concatenated, sameBytes, r
 modules["mip/protocol"] = (() => {
 // The model of the protocol: what is in mip.json, found by name and by descriptor.
 
-const { MipError } = modules["mip/bytes"];
+const { MipError, bytesOf, described } = modules["mip/bytes"];
 
 /** Descriptor set of the fields that are valid in every data set. */
 const SHARED_SET = 255;
@@ -180,11 +192,15 @@ const FORMAT = "1";
 class Protocol {
     /** @param model the parsed mip.json */
     constructor(model) {
-        if (String(model?.format).split(".")[0] !== FORMAT) {
-            throw new MipError("format", `the model has format ${model?.format}; this code knows ${FORMAT}`);
+        const format = model?.format;
+        if (typeof format !== "string" || format.split(".")[0] !== FORMAT) {
+            throw new MipError("format", `the model has format ${described(format)}; this code knows ${FORMAT}`);
+        }
+        for (const part of ["packet", "scalars", "fields", "types", "sets", "functions", "acknowledge"]) {
+            if (!model[part]) throw new MipError("format", `the model has no "${part}"`);
         }
         this.model = model;
-        this.sync = model.packet.sync;
+        this.sync = Uint8Array.from(model.packet.sync);
         this.maxPayload = model.packet.max_payload;
         this.maxFieldData = model.packet.max_field_data;
         this.fields = byKey(model.fields, "name");
@@ -222,7 +238,8 @@ class Protocol {
     }
 
     /** The layout of these data: by constants, as far as the data reach, then by size. Undefined if there is none. */
-    choose(set, descriptor, data) {
+    choose(set, descriptor, given) {
+        const data = bytesOf(given);
         const layouts = this.candidates(set, descriptor);
         if (layouts.length < 2) return layouts[0];
         const fitting = layouts.filter((field) => (field.constants ?? []).every((constant) => agrees(constant, data)));
@@ -245,7 +262,7 @@ function byKey(things, key) {
 
 function found(things, name, what) {
     const thing = things.get(name);
-    if (!thing) throw new MipError("unknown", `there is no ${what} "${name}"`);
+    if (!thing) throw new MipError("unknown", `there is no ${what} ${described(name)}`);
     return thing;
 }
 
@@ -269,7 +286,7 @@ modules["mip/codec"] = (() => {
 // unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
 // them; arrays are arrays, structures objects, and a union is an object with one member or none.
 
-const { MipError, concatenated, described, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
+const { MipError, bytesOf, concatenated, described, floatBits, isList, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
 
 /**
  * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
@@ -277,7 +294,9 @@ const { MipError, concatenated, described, floatBits, readFloat, readInteger, re
  *
  * @param options.floatBits every float is the text of its bits, "0x3e7a63a0"
  */
-function decodeData(protocol, field, data, options = {}) {
+function decodeData(protocol, field, given, options = {}) {
+    refuseOtherField(field);
+    const data = bytesOf(given);
     const reader = new Reader(protocol, data, options);
     const values = {};
     let required = protocol.required(field);
@@ -423,6 +442,7 @@ function selectedBy(op, values) {
 
 /** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
 function encodeData(protocol, field, values) {
+    refuseOtherField(field);
     const writer = new Writer(protocol);
     refuseOther(field.name, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
@@ -466,7 +486,7 @@ class Writer {
             this.put(op, values[op.member], values, where);
         } else if (isGiven(op, values)) {
             const counted = values[op.array];
-            refuseOther(op.array, counted, Array.isArray(counted) || typeof counted === "string", "an array");
+            refuseOther(op.array, counted, isList(counted) || typeof counted === "string", "an array");
             this.number(op, counted.length, where);
         } else {
             throw missing(where);
@@ -479,13 +499,13 @@ class Writer {
                 this.number(op, value, where);
                 break;
             case "counter":
+                this.number(op, value, where);
                 if (values[op.array]?.length !== Number(value)) {
                     throw new MipError("count", `${where} is ${value}, but ${op.array} has another number of elements`);
                 }
-                this.number(op, value, where);
                 break;
             case "bits":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${where} needs ${op.size} bytes`);
                 for (const [i, byte] of value.entries()) this.parts.push(writeInteger(byte, 1, false, `${where}[${i}]`));
                 break;
@@ -495,7 +515,7 @@ class Writer {
                 this.parts.push(writeText(value, where));
                 break;
             case "array":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 checkCount(op, value, where);
                 for (const [i, item] of value.entries()) this.put(op.item, item, {}, `${where}[${i}]`);
                 break;
@@ -534,6 +554,11 @@ class Writer {
 /** Is there a value? A counter that is left out counts its array. */
 function isGiven(op, values) {
     return Object.hasOwn(values, op.member) || (op.kind === "counter" && Object.hasOwn(values, op.array));
+}
+
+function refuseOtherField(field) {
+    if (!Array.isArray(field?.operations))
+        throw new MipError("unknown", `${described(field)} is not a field; protocol.field(name) gives one`);
 }
 
 const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
@@ -667,7 +692,10 @@ function decodeField(protocol, set, { descriptor, data }, options) {
 function buildPacket(protocol, set, fields) {
     if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
         throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!Array.isArray(fields)) throw new MipError("fields", `${described(fields)} is not an array of fields`);
     const parts = fields.flatMap((entry) => {
+        if (typeof entry !== "object" || entry === null)
+            throw new MipError("fields", `${described(entry)} is not a field with a descriptor`);
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
         }
@@ -687,7 +715,7 @@ function buildPacket(protocol, set, fields) {
 
 function dataOf(protocol, set, { descriptor, name, values }) {
     const field = protocol.candidates(set, descriptor).find((candidate) => candidate.name === name);
-    if (!field) throw new MipError("unknown", `set ${set} has no field ${name} with descriptor ${descriptor}`);
+    if (!field) throw new MipError("unknown", `set ${set} has no field ${described(name)} with descriptor ${descriptor}`);
     return encodeData(protocol, field, values);
 }
 
@@ -763,7 +791,8 @@ function packetAt(protocol, bytes, at) {
  * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */
-function segments(protocol, bytes) {
+function segments(protocol, given) {
+    const bytes = bytesOf(given);
     const found = [];
     const add = (kind, offset, size) => {
         const last = found.at(-1);
@@ -1162,7 +1191,7 @@ function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : hexLiteral(value, size);
+        const text = Array.isArray(value) ? spacedHex(Uint8Array.from(value)) : hexLiteral(value, size);
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
