@@ -267,9 +267,7 @@ def test_a_text_without_bytes_is_told_from_none(page: browser.Page) -> None:
         shown[text] = page.run("document.querySelector('.mip-output').textContent")
     assert shown == {
         "": "Nothing to read yet.",
-        "hello world": (
-            "No bytes were found in this text; hexadecimal is needed. Not read as bytes: hello world"
-        ),
+        "hello world": ("No bytes were found in this text; hexadecimal is needed. Not read as bytes: hello world"),
     }
 
 
