@@ -3,10 +3,10 @@
 /**
  * The forms, in the order in which they are looked for: a pattern, and what reads its text. Without a reader, the text has
  * digits but no bytes. Decimal numbers, base64 and pairs with dots must begin with the sync bytes, because other things
- * look like them; and a comment in which they are is read.
+ * look like them; and a comment in which they are, or that has nothing but bytes, is read.
  */
 const FORMS = [
-    [/\/\*(?:(?!\*\/|75\W*(?:0x)?65)[\s\S])*\*\/|\/\/(?!.*75\W*(?:0x)?65).*/], // a comment
+    [/\/\*(?:(?!\*\/|75\W*0?x?65)[\s\S])*\*\/|\/\/(?!.*75\W*0?x?65|(?:[^\w\n]*(?:0x)?[0-9a-f]{2}){2,}[^\w\n]*$).*/], // a comment
     [/^[ \t]*(?:0x)?[0-9a-f]{4,8}:(?=\s)/], // an offset
     [/(?<![\w.:-])(?:19|20)\d\d-\d\d-\d\d(?:(?![\w-])|t(?=\d\d:))/], // a date
     [/(?<![\d.:])(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d+z?|z|(?=[\])]|[ \t]+\S))/], // a time
