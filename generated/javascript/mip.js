@@ -22,7 +22,7 @@ class MipError extends Error {
 function checksum(bytes) {
     let a = 0;
     let b = 0;
-    for (const byte of bytes) {
+    for (const byte of bytesOf(bytes)) {
         a = (a + byte) & 0xff;
         b = (b + a) & 0xff;
     }
@@ -31,7 +31,7 @@ function checksum(bytes) {
 
 /** "7565", or with a separator "75 65". */
 function toHex(bytes, between = "") {
-    return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(between);
+    return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
 /** The bytes of hexadecimal digits without anything between them. */
@@ -41,12 +41,24 @@ function fromHex(text) {
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
+// What a value is, whatever it says of itself: the name of a typed array, also of another window, or undefined.
+const typedArray = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), Symbol.toStringTag).get;
+const bufferSize = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, "byteLength").get;
+
 /** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
 function bytesOf(value) {
-    const kind = Object.prototype.toString.call(value);
-    if (kind === "[object ArrayBuffer]") return new Uint8Array(value);
-    if (kind !== "[object Uint8Array]") throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
-    return value;
+    if (typedArray.call(value) === "Uint8Array") return value;
+    try {
+        bufferSize.call(value); // a TypeError for all else
+    } catch {
+        throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
+    }
+    return new Uint8Array(value);
+}
+
+/** Is a value an array or a typed array? */
+function isList(value) {
+    return Array.isArray(value) || typedArray.call(value) !== undefined;
 }
 
 function concatenated(...parts) {
@@ -158,7 +170,7 @@ function writeText(text, what) {
     });
 }
 
-return { MipError, checksum, toHex, fromHex, bytesOf, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+return { MipError, checksum, toHex, fromHex, bytesOf, isList, concatenated, sameBytes, readInteger, described, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
 })();
 
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
@@ -166,7 +178,7 @@ return { MipError, checksum, toHex, fromHex, bytesOf, concatenated, sameBytes, r
 modules["mip/protocol"] = (() => {
 // The model of the protocol: what is in mip.json, found by name and by descriptor.
 
-const { MipError } = modules["mip/bytes"];
+const { MipError, bytesOf, described } = modules["mip/bytes"];
 
 /** Descriptor set of the fields that are valid in every data set. */
 const SHARED_SET = 255;
@@ -180,11 +192,15 @@ const FORMAT = "1";
 class Protocol {
     /** @param model the parsed mip.json */
     constructor(model) {
-        if (String(model?.format).split(".")[0] !== FORMAT) {
-            throw new MipError("format", `the model has format ${model?.format}; this code knows ${FORMAT}`);
+        const format = model?.format;
+        if (typeof format !== "string" || format.split(".")[0] !== FORMAT) {
+            throw new MipError("format", `the model has format ${described(format)}; this code knows ${FORMAT}`);
+        }
+        for (const part of ["packet", "scalars", "fields", "types", "sets", "functions", "acknowledge"]) {
+            if (!model[part]) throw new MipError("format", `the model has no "${part}"`);
         }
         this.model = model;
-        this.sync = model.packet.sync;
+        this.sync = Uint8Array.from(model.packet.sync);
         this.maxPayload = model.packet.max_payload;
         this.maxFieldData = model.packet.max_field_data;
         this.fields = byKey(model.fields, "name");
@@ -222,7 +238,8 @@ class Protocol {
     }
 
     /** The layout of these data: by constants, as far as the data reach, then by size. Undefined if there is none. */
-    choose(set, descriptor, data) {
+    choose(set, descriptor, given) {
+        const data = bytesOf(given);
         const layouts = this.candidates(set, descriptor);
         if (layouts.length < 2) return layouts[0];
         const fitting = layouts.filter((field) => (field.constants ?? []).every((constant) => agrees(constant, data)));
@@ -245,7 +262,7 @@ function byKey(things, key) {
 
 function found(things, name, what) {
     const thing = things.get(name);
-    if (!thing) throw new MipError("unknown", `there is no ${what} "${name}"`);
+    if (!thing) throw new MipError("unknown", `there is no ${what} ${described(name)}`);
     return thing;
 }
 
@@ -269,7 +286,7 @@ modules["mip/codec"] = (() => {
 // unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
 // them; arrays are arrays, structures objects, and a union is an object with one member or none.
 
-const { MipError, concatenated, described, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
+const { MipError, bytesOf, concatenated, described, floatBits, isList, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
 
 /**
  * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
@@ -277,7 +294,9 @@ const { MipError, concatenated, described, floatBits, readFloat, readInteger, re
  *
  * @param options.floatBits every float is the text of its bits, "0x3e7a63a0"
  */
-function decodeData(protocol, field, data, options = {}) {
+function decodeData(protocol, field, given, options = {}) {
+    refuseOtherField(field);
+    const data = bytesOf(given);
     const reader = new Reader(protocol, data, options);
     const values = {};
     let required = protocol.required(field);
@@ -423,6 +442,7 @@ function selectedBy(op, values) {
 
 /** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
 function encodeData(protocol, field, values) {
+    refuseOtherField(field);
     const writer = new Writer(protocol);
     refuseOther(field.name, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
@@ -466,7 +486,7 @@ class Writer {
             this.put(op, values[op.member], values, where);
         } else if (isGiven(op, values)) {
             const counted = values[op.array];
-            refuseOther(op.array, counted, Array.isArray(counted) || typeof counted === "string", "an array");
+            refuseOther(op.array, counted, isList(counted) || typeof counted === "string", "an array");
             this.number(op, counted.length, where);
         } else {
             throw missing(where);
@@ -479,13 +499,13 @@ class Writer {
                 this.number(op, value, where);
                 break;
             case "counter":
+                this.number(op, value, where);
                 if (values[op.array]?.length !== Number(value)) {
                     throw new MipError("count", `${where} is ${value}, but ${op.array} has another number of elements`);
                 }
-                this.number(op, value, where);
                 break;
             case "bits":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${where} needs ${op.size} bytes`);
                 for (const [i, byte] of value.entries()) this.parts.push(writeInteger(byte, 1, false, `${where}[${i}]`));
                 break;
@@ -495,7 +515,7 @@ class Writer {
                 this.parts.push(writeText(value, where));
                 break;
             case "array":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 checkCount(op, value, where);
                 for (const [i, item] of value.entries()) this.put(op.item, item, {}, `${where}[${i}]`);
                 break;
@@ -534,6 +554,11 @@ class Writer {
 /** Is there a value? A counter that is left out counts its array. */
 function isGiven(op, values) {
     return Object.hasOwn(values, op.member) || (op.kind === "counter" && Object.hasOwn(values, op.array));
+}
+
+function refuseOtherField(field) {
+    if (!Array.isArray(field?.operations))
+        throw new MipError("unknown", `${described(field)} is not a field; protocol.field(name) gives one`);
 }
 
 const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
@@ -667,7 +692,10 @@ function decodeField(protocol, set, { descriptor, data }, options) {
 function buildPacket(protocol, set, fields) {
     if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
         throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!Array.isArray(fields)) throw new MipError("fields", `${described(fields)} is not an array of fields`);
     const parts = fields.flatMap((entry) => {
+        if (typeof entry !== "object" || entry === null)
+            throw new MipError("fields", `${described(entry)} is not a field with a descriptor`);
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
         }
@@ -687,7 +715,7 @@ function buildPacket(protocol, set, fields) {
 
 function dataOf(protocol, set, { descriptor, name, values }) {
     const field = protocol.candidates(set, descriptor).find((candidate) => candidate.name === name);
-    if (!field) throw new MipError("unknown", `set ${set} has no field ${name} with descriptor ${descriptor}`);
+    if (!field) throw new MipError("unknown", `set ${set} has no field ${described(name)} with descriptor ${descriptor}`);
     return encodeData(protocol, field, values);
 }
 
@@ -763,7 +791,8 @@ function packetAt(protocol, bytes, at) {
  * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */
-function segments(protocol, bytes) {
+function segments(protocol, given) {
+    const bytes = bytesOf(given);
     const found = [];
     const add = (kind, offset, size) => {
         const last = found.at(-1);
@@ -934,84 +963,124 @@ return { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enu
 modules["tools/input"] = (() => {
 // Bytes in any form in which people write them.
 
-const { concatenated } = modules["mip/bytes"];
+/**
+ * The forms, in the order in which they are looked for: a pattern, and what reads its text. Without a reader, the text has
+ * digits but no bytes. Decimal numbers, base64 and pairs with dots must begin with the sync bytes, because other things
+ * look like them; and a comment in which they are, or that has nothing but bytes, is read.
+ */
+const FORMS = [
+    [/\/\*(?:(?!\*\/|75\W*0?x?65)[\s\S])*\*\/|\/\/(?!.*75\W*0?x?65|(?:[^\w\n]*(?:0x)?[0-9a-f]{2}){2,}[^\w\n]*$).*/], // a comment
+    [/^[ \t]*(?:0x)?[0-9a-f]{4,8}:(?=\s)/], // an offset
+    [/(?<![\w.:-])(?:19|20)\d\d-\d\d-\d\d(?:(?![\w-])|t(?=\d\d:))/], // a date
+    [/(?<![\d.:])(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d+z?|z|(?=[\])]|[ \t]+\S))/], // a time
+    [/\bb"(?:[^"\\\n]|\\.)*"|\bb'(?:[^'\\\n]|\\.)*'/, bytesOfLiteral], // b"ue\x01"
+    [/(?<!\w)(?=["'][^"'\n]*\\[x0-7])(?:"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*')/, bytesOfLiteral], // "ue\1"
+    [/(?:\\x[0-9a-f]{2}|\\[0-3][0-7]{2})+/, bytesOfLiteral], // \x75\x65, \165\145
+    [/(?<![\w.])117(?:u8?)?(?=\W+101(?!\d))(?:(?:\s*,\s*|[ \t]+)-?(?:25[0-5]|2[0-4]\d|1?\d?\d)(?:u8?)?(?!\w|\.\d))+/, bytesOfDecimals], // 117, 101
+    [/(?<![\w+/])dw[u-x][\w+/-]{8,}={0,2}/, bytesOfBase64],
+    [/(?<!\w)(?:0x|&h)[0-9a-f][0-9a-f_]*?(?:_?[ui]\d+|u?l{0,2})(?!\w)/, bytesOfDigits], // 0x75, 0x7565, 0x75u8, &H75
+    [/(?<![\w.])(?:75[._]65(?:[._][0-9a-f]{2})+|(?:[0-9a-f]{2})+h?)(?!\w|\.\d)/, bytesOfDigits], // 75, 7565, 75h, 75.65.01
+];
 
-// A line of a hex dump: an offset, bytes, and what they look like. What begins with the sync bytes has no offset.
+const ANY = new RegExp(FORMS.map(([pattern], i) => `(?<form${i}>${pattern.source})`).join("|"), "gim");
+
+// A line of a hex dump: an offset, bytes, and what they look like.
 const DUMP_LINE =
-    /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
-
-// What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
-const TOKEN = new RegExp(
-    [
-        /\bb"((?:[^"\\]|\\.)*)"|\bb'((?:[^'\\]|\\.)*)'/, // b"ue\x0c" of Python
-        /((?:\\x[0-9a-f]{2})+)/, // \x75\x65
-        /\b0x([0-9a-f]+)\b/, // 0x75, 0x7565
-        /(?<![\w.])((?:[0-9a-f]{2})+)h?(?!\w|\.\d)/, // 75, 7565, 75h
-    ]
-        .map((one) => one.source)
-        .join("|"),
-    "gi",
-);
+    /^(?<offset>\s*(?:0x)?(?<number>[0-9a-f]{4,8})(?::(?=\s)|(?<bare>\s{2,})))\s*(?<bytes>(?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?<text>\s{2,}.*|\s*\|.*)?\s*$/i;
 
 // Bytes in a list, some of which may have a single digit: printf %x, or 1 in [0x75, 1].
 const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?!\w|\.\d))+/gi;
 
-const ESCAPES = { n: 10, r: 13, t: 9, 0: 0, a: 7, b: 8, f: 12, v: 11, "\\": 92, "'": 39, '"': 34 };
+const ESCAPES = { n: 10, r: 13, t: 9, a: 7, b: 8, f: 12, v: 11 };
 
 /** The bytes of a text, and the pieces of text between them that are no bytes, such as words. */
 function bytesOfText(text) {
-    const parts = [];
+    const plain = padded(withoutOffsets(text.split(/\r?\n/))).join("\n");
+    const bytes = [];
     const ignored = [];
-    for (const line of text.split(/\r?\n/)) {
-        const bytes = DUMP_LINE.exec(line)?.[1] ?? padded(line, parts.length > 0);
-        let at = 0;
-        for (const match of bytes.matchAll(TOKEN)) {
-            ignored.push(bytes.slice(at, match.index));
-            at = match.index + match[0].length;
-            parts.push(bytesOfToken(match));
-        }
-        ignored.push(bytes.slice(at));
+    let at = 0;
+    for (const match of plain.matchAll(ANY)) {
+        const [, read] = FORMS.find((_, i) => match.groups[`form${i}`] !== undefined);
+        if (!read) continue;
+        ignored.push(plain.slice(at, match.index));
+        at = match.index + match[0].length;
+        for (const byte of read(match[0])) bytes.push(byte);
     }
+    ignored.push(plain.slice(at));
     return {
-        bytes: concatenated(...parts),
-        ignored: ignored.map((piece) => piece.replace(/^[\s,;:|{}[\]()<>"'-]+|[\s,;:|{}[\]()<>"'-]+$/g, "")).filter(Boolean),
+        bytes: Uint8Array.from(bytes),
+        ignored: ignored
+            .flatMap((piece) => piece.split("\n"))
+            .map((piece) => piece.replace(/^[\s,;:|{}[\]()<>"'-]+|[\s,;:|{}[\]()<>"'-]+$/g, ""))
+            .filter(Boolean),
     };
 }
 
 /**
- * A line whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is one
- * of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
+ * The lines of hex dumps without what is around the bytes. A number at the beginning is an offset if it begins with zeros,
+ * or is as far from that of the line before or behind as the bytes reach; one with a colon is left, to be shown as ignored.
  */
-function padded(line, begun) {
-    return line.replace(LIST, (list, at) => {
-        const whole = list.trim() === line.trim();
-        const [before, behind] = [line.slice(0, at), line.slice(at + list.length)];
-        const items = list.split(/([\s,;]+)/); // with what is between them
-        const single = (item) => /^[0-9a-f]$/i.test(item);
-        const others = items.flatMap((item, i) => (i % 2 || single(item) ? [] : [i]));
-        if (others.length < 2 && !(begun && whole)) return list;
-        const atStart = /[[({"'|]\s*$/.test(before) || (begun && before.trim() === "");
-        const atEnd = /^\s*($|[\])}"'|;/,])/.test(behind);
-        const known = (i) => (i > others[0] || atStart) && (i < others.at(-1) || atEnd);
-        return items.map((item, i) => (single(item) && known(i) ? `0${item}` : item)).join("");
+function withoutOffsets(lines) {
+    const dumped = lines.map((line) => {
+        const { number, ...parts } = DUMP_LINE.exec(line)?.groups ?? {};
+        const start = Number.parseInt(number, 16); // NaN is no offset
+        return { ...parts, zeros: number?.startsWith("0000"), start, end: start + parts.bytes?.replace(/\s/g, "").length / 2 };
+    });
+    return lines.map((line, i) => {
+        const { offset, bare, bytes, zeros, start, end } = dumped[i];
+        if (zeros || dumped[i - 1]?.end === start || dumped[i + 1]?.start === end) return bytes;
+        return offset && !bare ? `${offset} ${bytes}` : line;
     });
 }
 
-function bytesOfToken([, double, single, escapes, number, digits]) {
-    const literal = double ?? single;
-    if (literal !== undefined) return bytesOfLiteral(literal);
-    const hex = escapes ? escapes.replace(/\\x/g, "") : (number ?? digits);
-    const even = hex.length % 2 ? `0${hex}` : hex;
+/**
+ * Lines whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is one
+ * of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
+ */
+function padded(lines) {
+    let begun = false;
+    return lines.map((line) => {
+        const found = line.replace(LIST, (list, at) => paddedList(list, line.slice(0, at), line.slice(at + list.length), begun));
+        begun ||= /\b(?:0x)?(?:[0-9a-f]{2})+h?\b|\\x/i.test(found);
+        return found;
+    });
+}
+
+function paddedList(list, before, behind, begun) {
+    const whole = !before.trim() && !behind.trim();
+    const items = list.split(/([\s,;]+)/); // with what is between them
+    const single = (item) => /^[0-9a-f]$/i.test(item);
+    const others = items.flatMap((item, i) => (i % 2 || single(item) ? [] : [i]));
+    if (others.length < 2 && !(begun && whole)) return list;
+    const atStart = /[[({"'|]\s*$/.test(before) || (begun && before.trim() === "");
+    const atEnd = /^\s*($|[\])}"'|;/,])/.test(behind);
+    const known = (i) => (i > others[0] || atStart) && (i < others.at(-1) || atEnd);
+    return items.map((item, i) => (single(item) && known(i) ? `0${item}` : item)).join("");
+}
+
+function bytesOfDigits(text) {
+    const digits = /^(?:0x|&h)?([0-9a-f._]+)/i.exec(text)[1].replace(/[._]/g, "");
+    const even = digits.length % 2 ? `0${digits}` : digits;
     return Uint8Array.from(even.match(/../g), (pair) => Number.parseInt(pair, 16));
 }
 
+/** Signed ones too: Java prints them. */
+function bytesOfDecimals(text) {
+    return Uint8Array.from(text.match(/-?\b\d+/g), Number);
+}
+
+function bytesOfBase64(text) {
+    const letters = text.replace(/=/g, "").replace(/-/g, "+").replace(/_/g, "/");
+    return Uint8Array.from(atob(letters.length % 4 === 1 ? letters.slice(0, -1) : letters), (one) => one.charCodeAt(0));
+}
+
 function bytesOfLiteral(text) {
-    const found = [];
-    for (const [whole, hex, letter] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
-        if (hex !== undefined) found.push(Number.parseInt(hex, 16));
-        else found.push(letter === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[letter] ?? letter.charCodeAt(0)));
-    }
-    return Uint8Array.from(found);
+    const inner = text.replace(/^b?(["'])(.*)\1$/i, "$2");
+    return Uint8Array.from(inner.match(/\\x[0-9a-f]{2}|\\[0-7]{1,3}|\\.|[^\\]/gi), (one) => {
+        if (/^\\x./i.test(one)) return Number.parseInt(one.slice(2), 16);
+        if (/^\\[0-7]/.test(one)) return Number.parseInt(one.slice(1), 8);
+        return ESCAPES[one[1]] ?? one.at(-1).charCodeAt(0);
+    });
 }
 
 return { bytesOfText };
@@ -1122,7 +1191,7 @@ function shown(protocol, part, parameter, type, index) {
     if (type?.kind === "bitfield") {
         const { found, rest } = bitsOf(protocol, type, value);
         const flags = found.filter(({ flag, value: held }) => !flag || held);
-        const text = Array.isArray(value) ? spacedHex(value) : hexLiteral(value, size);
+        const text = Array.isArray(value) ? spacedHex(Uint8Array.from(value)) : hexLiteral(value, size);
         return { text, flags: rest ? [...flags, { rest }] : flags, unit };
     }
     return { text: parameter.shown ? hexLiteral(value, size) : `${value}`, unit };
@@ -1322,7 +1391,17 @@ function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
 
-return { element, links, whenChanged };
+/** What is behind the # of the address, as it is if it is no encoded text. */
+function fragment() {
+    const text = location.hash.slice(1);
+    try {
+        return decodeURIComponent(text);
+    } catch {
+        return text;
+    }
+}
+
+return { element, links, whenChanged, fragment };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/find.mjs
@@ -2402,6 +2481,10 @@ function inspector(root, protocol, options = {}) {
 }
 
 function report({ bytes, ignored, parts }, to) {
+    if (!bytes.length && ignored.length) {
+        const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
+        return [element("p", { class: "mip-wrong" }, words, ignored.join(" "))];
+    }
     if (!bytes.length) return [element("p", { class: "mip-note" }, "Nothing to read yet.")];
     const packets = parts.filter((part) => part.kind !== "other").length;
     const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;
@@ -2613,10 +2696,11 @@ function builder(root, protocol, options = {}) {
     const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
 
+    let started = false; // the address stays as it is until something is changed
     const show = () => {
         const packet = built(protocol, state);
         output.replaceChildren(...report(protocol, state, packet, to));
-        if (options.field !== undefined && packet.bytes) {
+        if (started && options.field !== undefined && packet.bytes) {
             const text = [state.device?.id, toHex(packet.bytes).toUpperCase()].filter(Boolean).join(" ");
             history.replaceState(history.state, "", `#${encodeURIComponent(text)}`);
         }
@@ -2685,22 +2769,35 @@ function builder(root, protocol, options = {}) {
     if (start.entries) begin(start.entries, start.set);
     else choose(start.name ?? protocol.model.sets[0].fields[0]);
     if (start.problem) forms.before(problem);
+    started = true;
     return { choose, state: () => state };
 }
 
-/** What a fragment says: a device, and a field by its name or a packet. */
+/** What a fragment says: a device, and a field by its name or a packet; `problem` is what cannot be taken over. */
 function startOf(protocol, text) {
     const device = protocol.model.devices.find((one) => text === one.id || text.startsWith(`${one.id} `));
     const rest = device ? text.slice(device.id.length).trim() : text;
+    if (!rest) return { device };
     if (protocol.fields.has(rest)) return { device, name: rest };
+    const { bytes } = bytesOfText(rest);
+    if (!bytes.length) return { device, problem: "The address has neither the name of a field nor a packet." };
     try {
-        const packet = Packet.from(protocol, bytesOfText(rest).bytes);
-        const entries = packet.decode().map(({ field, values }) => field && values && { field, values });
-        if (entries.length && entries.every(Boolean)) return { device, entries, set: packet.set };
+        const packet = Packet.from(protocol, bytes);
+        const entries = packet.decode().map(takenOver);
+        if (!entries.length) throw new MipError("fields", "it has no field");
+        const left = entries.filter(({ trailing }) => trailing).map(({ field, trailing }) => `${trailing} at the end of ${field.name}`);
+        const problem = left.length ? `Bytes that no parameter has are left out: ${left.join(", ")}.` : undefined;
+        return { device, entries: entries.map(({ field, values }) => ({ field, values })), set: packet.set, problem };
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
+        return { device, problem: `The packet of the address cannot be taken over: ${error.message}.` };
     }
-    return { device, problem: rest && "The address has neither the name of a field nor a packet whose fields are all known." };
+}
+
+function takenOver({ descriptor, field, values, trailing, error }) {
+    if (error) throw error;
+    if (!field) throw new MipError("unknown", `there is no field with descriptor ${hexByte(descriptor)} in its set`);
+    return { field, values, trailing };
 }
 
 function entryOf(protocol, field, selector) {
@@ -3344,6 +3441,7 @@ const { bandwidth } = modules["tools/bandwidth"];
 const { answerOf, initialValues, packetOf, typicalValues } = modules["tools/build"];
 const { builder } = modules["tools/builder"];
 const { programOf } = modules["tools/code"];
+const { fragment } = modules["tools/dom"];
 const { find, indexOf } = modules["tools/find"];
 const { finder } = modules["tools/finder"];
 const { bytesOfText } = modules["tools/input"];
@@ -3352,7 +3450,7 @@ const { inspector } = modules["tools/inspector"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 const { descriptorOf } = modules["tools/words"];
 
-return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
+return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, fragment, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
 })();
 
 globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };

@@ -28,9 +28,7 @@ local log = FileHandler.new("MIP log", "mip", "Raw bytes of MIP packets", "rs")
 log.extensions = "mip;bin;log;dat;raw"
 
 function log.read_open(file, capture)
-  local raw = file:read(PROBE) or ""
-  local first = scan(raw, true, 1)[1]
-  if not first or not plausible(raw, first.at, first.size) then
+  if not recognized(file:read(PROBE) or "") then
     return false
   end
   file:seek("set", 0)

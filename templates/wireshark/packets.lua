@@ -64,6 +64,16 @@ local function plausible(raw, at, size)
   return SETS[raw:byte(at + 3)] ~= nil
 end
 
+-- Is one of the packets in these bytes plausible? The first may be of an unknown set, or right by chance.
+local function recognized(raw)
+  for _, found in ipairs((scan(raw, true))) do
+    if plausible(raw, found.at, found.size) then
+      return true
+    end
+  end
+  return false
+end
+
 -- What bytes between packets are: { at, size, reason }, or { at, size, broken = true } for a packet whose checksum
 -- alone is wrong.
 local function pieces(raw, at, stop)

@@ -127,10 +127,8 @@ end
 
 -- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
-  for _, found in ipairs((scan(raw, false))) do
-    if plausible(raw, found.at, found.size) then
-      return true
-    end
+  if recognized(raw) then
+    return true
   end
   if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not SETS[raw:byte(3)] then
     return false

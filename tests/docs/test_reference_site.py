@@ -327,6 +327,13 @@ def shown(page: browser.Page, selector: str) -> list[str]:
 
 
 @in_browser
+def test_tools_begin_with_any_fragment(page: browser.Page) -> None:
+    for name in ("inspector", "builder", "bandwidth", "finder"):
+        go(page, f"tools/{name}.html#%E0%A4%A")
+        assert page.run("document.querySelector('[data-tool] :is(input, select, textarea)') !== null"), name
+
+
+@in_browser
 def test_inspector_links_to_the_reference(page: browser.Page) -> None:
     """A command, its acknowledge and its response, and the errata of the field."""
     go(page, "tools/inspector.html#75650C04042801041B55" + "75650C0704F1280003A801B681")

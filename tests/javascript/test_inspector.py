@@ -260,6 +260,17 @@ def test_single_digits(page: browser.Page, text: str, wanted: str) -> None:
     assert shown == [wanted]
 
 
+def test_a_text_without_bytes_is_told_from_none(page: browser.Page) -> None:
+    shown = {}
+    for text in ("", "hello world"):
+        assert inspected(page, text) == []
+        shown[text] = page.run("document.querySelector('.mip-output').textContent")
+    assert shown == {
+        "": "Nothing to read yet.",
+        "hello world": ("No bytes were found in this text; hexadecimal is needed. Not read as bytes: hello world"),
+    }
+
+
 def others(page: browser.Page, text: str) -> list[str]:
     assert inspected(page, text) == []
     found: list[str] = page.run("[...document.querySelectorAll('.mip-other .mip-wrong')].map((one) => one.textContent)")

@@ -46,3 +46,13 @@ def test_a_page(page: browser.Page, spec: str, name: str) -> None:
     links = page.run("[...document.querySelectorAll('nav a')].map((link) => link.getAttribute('href'))")
     assert links == [path.name for path in PAGES]
     assert all((Path(SPECS[spec][1]) / "javascript/tools" / link).is_file() for link in links)
+
+
+@pytest.mark.parametrize("fragment", ["%", "%E0%A4%A"])
+@pytest.mark.parametrize("name", [path.name for path in PAGES])
+def test_any_fragment_is_an_address(page: browser.Page, name: str, fragment: str) -> None:
+    page.complaints.clear()
+    page.open("about:blank")
+    page.open((SPECS["real"][1] / "javascript/tools" / name).as_uri() + "#" + fragment)
+    assert page.run("document.querySelector('#tool').children.length") > 0
+    assert page.complaints == []

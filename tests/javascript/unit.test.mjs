@@ -14,7 +14,7 @@ const text = (name) => fs.readFileSync(path.join(folder, name), "utf8");
 await load("model.js");
 const mip = await load("mip/index.mjs");
 const tools = await load("tools/index.mjs");
-const { Packet, Parser, Protocol, buildPacket, decodeData, encodeData, fromHex, segments, toHex } = mip;
+const { Packet, Parser, Protocol, buildPacket, checksum, decodeData, encodeData, fromHex, segments, toHex } = mip;
 const protocol = new Protocol(globalThis.mipModel);
 
 /** A protocol with one data field, 0x80,0x01, of these operations. */
@@ -152,6 +152,8 @@ test("numbers of sets and fields are checked", () => {
     for (const wrong of [12, null, undefined, "1", "0x", " 12"]) assert.throws(() => fromHex(wrong), { kind: "hex" });
 });
 
+const FAKES = ["Uint8Array", "ArrayBuffer"].map((name) => ({ [Symbol.toStringTag]: name, length: 3 }));
+
 test("only bytes are bytes", () => {
     const whole = buildPacket(protocol, 1, [{ descriptor: 1, raw: "" }]).bytes;
     const buffer = whole.buffer.slice(whole.byteOffset, whole.byteOffset + whole.length);
@@ -159,15 +161,65 @@ test("only bytes are bytes", () => {
     for (const bytes of [whole, buffer, Buffer.from(whole), elsewhere]) {
         assert.deepEqual(new Parser(protocol).feed(bytes)[0].bytes, whole);
         assert.equal(toHex(Packet.from(protocol, bytes).bytes), toHex(whole));
+        assert.equal(toHex(bytes), toHex(whole));
+        assert.equal(segments(protocol, bytes)[0].kind, "packet");
+        assert.deepEqual(checksum(bytes), checksum(whole));
     }
-    for (const wrong of ["text", "", null, undefined, 5, [...whole], {}, new DataView(buffer), new Uint16Array(buffer.slice(0, 6))]) {
+    for (const wrong of [
+        "text",
+        "",
+        null,
+        undefined,
+        5,
+        [...whole],
+        {},
+        new DataView(buffer),
+        new Uint16Array(buffer.slice(0, 6)),
+        ...FAKES,
+    ]) {
         const parser = new Parser(protocol);
         assert.throws(() => parser.feed(wrong), { name: "MipError", kind: "bytes", message: / is not a Uint8Array or an ArrayBuffer$/ });
         assert.equal(parser.feed(whole).length, 1);
         assert.throws(() => Packet.from(protocol, wrong), { kind: "bytes" });
+        for (const take of [segments, (of, bytes) => of.choose(128, 4, bytes)]) {
+            assert.throws(() => take(protocol, wrong), { kind: "bytes" });
+        }
+        for (const take of [toHex, checksum]) assert.throws(() => take(wrong), { kind: "bytes" });
+        assert.throws(() => decodeData(protocol, protocol.acknowledge, wrong), { kind: "bytes" });
         if (typeof wrong !== "string" && wrong !== undefined) {
             assert.throws(() => buildPacket(protocol, 1, [{ descriptor: 1, raw: wrong }]), { kind: "bytes" });
         }
+    }
+});
+
+test("arrays may be typed arrays", () => {
+    const floats = single([{ kind: "array", member: "x", item: { kind: "scalar", member: "item", scalar: "float" }, count: 2 }]);
+    for (const x of [new Float32Array([1, -2]), new Float64Array([1, -2]), [1, -2]]) assert.equal(floats.encode({ x }), "3f800000c0000000");
+    assert.throws(() => floats.encode({ x: new Float32Array(3) }), { kind: "count" });
+    for (const x of [new DataView(new ArrayBuffer(8)), new ArrayBuffer(8)]) assert.throws(() => floats.encode({ x }), { kind: "range" });
+    assert.equal(single(COUNTED).encode({ xs: Uint8Array.of(7, 8) }), "020708");
+    assert.equal(single([{ kind: "bits", member: "b", size: 2 }]).encode({ b: Uint8Array.of(7, 8) }), "0708");
+});
+
+test("wrong arguments are errors of one class", () => {
+    const field = protocol.model.fields.find((one) => one.operations.length > 0);
+    for (const wrong of [undefined, null, 0, 1n, "x", Symbol("x"), {}, [], [null], Object.create(null), () => 1, ...FAKES]) {
+        for (const call of [
+            () => new Protocol(wrong),
+            () => new Protocol({ format: wrong }),
+            () => new Protocol({ format: "1.0", packet: wrong }),
+            () => protocol.field(wrong),
+            () => protocol.type(wrong),
+            () => buildPacket(protocol, 1, [wrong]),
+            () => buildPacket(protocol, 1, [{ descriptor: 1, name: wrong, values: {} }]),
+            () => decodeData(protocol, wrong, new Uint8Array(12)),
+            () => encodeData(protocol, wrong, {}),
+            () => encodeData(protocol, field, wrong),
+            () => single(COUNTED).encode({ n: wrong, xs: [1, 2] }),
+        ]) {
+            assert.throws(call, { name: "MipError" }, String(call));
+        }
+        if (!Array.isArray(wrong)) assert.throws(() => buildPacket(protocol, 1, wrong), { kind: "fields" });
     }
 });
 
@@ -383,4 +435,73 @@ test("nothing is global but `mip`", () => {
     vm.runInContext(text("mip.js"), context);
     assert.deepEqual(Object.keys(context), ["TextEncoder", "mip"]);
     assert.doesNotMatch(text("mip.js"), /^(import|export) /m);
+});
+
+// ---------------------------------------------------------------------------------------------------- pasted text
+
+const PING = "756501020201e0c6";
+
+test("bytes are read in the forms in which programs and tools write them", () => {
+    for (const text of [
+        "7565 0102\n0201  e0c6",
+        "7565  0102\n0201  e0c6",
+        "0120  75 65 01 02  ue..\n0124  02 01 e0 c6  ....",
+        "20001000  75 65 01 02  ue..\n20001004  02 01 e0 c6  ....",
+        "0x20001000: 75 65 01 02 02 01 e0 c6",
+        "00000000: 7565 0102  ue..\n00000004: 0201 e0c6  ....",
+        String.raw`b"ue\001\002\002\001\340\306"`,
+        String.raw`b"ue\1\2\2\1\xe0\xc6"`,
+        String.raw`"ue\1\2\2\1\340\306"`,
+        String.raw`write(3, "ue\1\2\2\1\340\306", 8) = 8`,
+        String.raw`don't: 'ue\x01\x02\x02\x01\xe0\xc6'`,
+        String.raw`printf \165\145\001\002\002\001\340\306`,
+        "{0x75u, 0x65u, 0x01u, 0x02U, 0x02u, 0x01ul, 0xE0u, 0xC6u}",
+        "[0x75u8, 0x65, 1, 2, 2, 1, 0xE0, 0xC6]",
+        "[0x75_u8, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6]",
+        "0x7565_0102_0201_e0c6",
+        "&H75, &H65, &H01, &H02, &H02, &H1, &HE0, &HC6",
+        "75_65_01_02_02_01_e0_c6",
+        "75.65.01.02.02.01.E0.C6",
+        "75-65-01-02-02-01-E0-C6",
+        "bytearray([117, 101, 1, 2, 2, 1, 224, 198])",
+        "Uint8Array(8) [\n  117, 101,   1,   2,\n    2,   1, 224, 198\n]",
+        "$1 = {117, 101, 1, 2, 2, 1, 224, 198}",
+        "[117u8, 101, 1, 2, 2, 1, 224, 198]",
+        "[117, 101, 1, 2, 2, 1, -32, -58]",
+        "[117 101   1   2   2   1 224 198]",
+        "dWUBAgIB4MY=",
+        '{"data": "dWUBAgIB4MY"}',
+        "[10:11:12.345] 75 65 01 02\n[10:11:12.346] 02 01 e0 c6",
+        "10:11:12 75 65 01 02\n10:11:13 02 01 e0 c6",
+        "2026-01-02T10:11:12.345Z 75 65 01 02\n2026-01-02T10:11:12.346Z 02 01 e0 c6",
+        "2026-01-02 10:11:12,345 75 65 01 02\n2026-01-02 10:11:12,346 02 01 e0 c6",
+        "0x75, 0x65, // sync 10\n0x01, /* set 20 */ 0x02, 0x02, 0x01, /* 30\n40 */ 0xe0, 0xc6",
+        "0x75, // 10\n0x65, // 11\n0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6",
+        "// 75 65 01 02 02 01 e0 c6",
+        "// 75 65 01 02\n// 02 01 e0 c6",
+        String.raw`// "\x75\x65\x01\x02\x02\x01\xe0\xc6"`,
+        "/* {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6} */",
+        "75:65:01:02:02:01:e0:c6",
+    ]) {
+        assert.equal(toHex(tools.bytesOfText(text).bytes), PING, text);
+    }
+});
+
+test("a long text is read", () => {
+    assert.equal(tools.bytesOfText("75 65 ".repeat(200000)).bytes.length, 400000);
+});
+
+test("what is left out of a pasted text is listed", () => {
+    for (const [text, ignored] of [
+        ["7565 0102\n0201  e0c6", []],
+        ["0124: 75 65 01 02", ["0124"]],
+        ["0124: 75 65 01 02  ue..\n0128: 02 01 e0 c6  ....", []],
+        ["[10:11:12.345] 75 65", ["10:11:12.345"]],
+        ["0x75, // sync 10\n0x65", ["// sync 10"]],
+        ["117, 101, 256", ["256"]],
+        ["117, 102", ["117, 102"]],
+        ["hello world", ["hello world"]],
+    ]) {
+        assert.deepEqual(tools.bytesOfText(text).ignored, ignored, text);
+    }
 });

@@ -193,6 +193,14 @@ def test_a_log_is_a_capture(tmp_path: Path) -> None:
             assert all(len(found([frame])) <= 1 for frame in frames)
 
 
+@pytest.mark.parametrize("first", [b"ue\x55\x02\x02\x01", b"ue\x80\x02\x09\x04", FALSE_SYNC + b"ue\x80\xff"])
+def test_bytes_are_recognized_by_any_packet(first: bytes, tmp_path: Path) -> None:
+    """Behind a packet of an unknown set, one whose field has a wrong length, and a header without a packet."""
+    data = first + (b"" if first.startswith(FALSE_SYNC) else codec.checksum(first)) + accel(0.5) * 2
+    for capture in (data, captures.tcp([(True, data)], 45678), captures.datagrams([data], 45678)):
+        assert trees(tmp_path, capture, "-Y", "mip_protocol || mip_stream")
+
+
 # --------------------------------------------------------------------------- requests and answers
 
 

@@ -60,7 +60,8 @@ function packetAt(protocol, bytes, at) {
  * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */
-export function segments(protocol, bytes) {
+export function segments(protocol, given) {
+    const bytes = bytesOf(given);
     const found = [];
     const add = (kind, offset, size) => {
         const last = found.at(-1);

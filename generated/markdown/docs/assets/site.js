@@ -41,10 +41,10 @@
 
     async function fill(tool) {
         const show = async () => {
-            const given = decodeURIComponent(location.hash.slice(1)) || tool.dataset.start;
-            mip[tool.dataset.tool](tool, await protocol(), { ...addresses, [tool.dataset.option]: given });
+            const of = await protocol();
+            const given = mip.fragment() || tool.dataset.start;
+            mip[tool.dataset.tool](tool, of, { ...addresses, [tool.dataset.option]: given });
         };
-        await protocol();
         await show();
         addEventListener("hashchange", show);
     }

@@ -6,9 +6,11 @@
 
 import {
     MipError,
+    bytesOf,
     concatenated,
     described,
     floatBits,
+    isList,
     readFloat,
     readInteger,
     readText,
@@ -23,7 +25,9 @@ import {
  *
  * @param options.floatBits every float is the text of its bits, "0x3e7a63a0"
  */
-export function decodeData(protocol, field, data, options = {}) {
+export function decodeData(protocol, field, given, options = {}) {
+    refuseOtherField(field);
+    const data = bytesOf(given);
     const reader = new Reader(protocol, data, options);
     const values = {};
     let required = protocol.required(field);
@@ -169,6 +173,7 @@ function selectedBy(op, values) {
 
 /** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
 export function encodeData(protocol, field, values) {
+    refuseOtherField(field);
     const writer = new Writer(protocol);
     refuseOther(field.name, values, isObject(values), "an object");
     refuseUnknown(values, field.parameters, field.name);
@@ -212,7 +217,7 @@ class Writer {
             this.put(op, values[op.member], values, where);
         } else if (isGiven(op, values)) {
             const counted = values[op.array];
-            refuseOther(op.array, counted, Array.isArray(counted) || typeof counted === "string", "an array");
+            refuseOther(op.array, counted, isList(counted) || typeof counted === "string", "an array");
             this.number(op, counted.length, where);
         } else {
             throw missing(where);
@@ -225,13 +230,13 @@ class Writer {
                 this.number(op, value, where);
                 break;
             case "counter":
+                this.number(op, value, where);
                 if (values[op.array]?.length !== Number(value)) {
                     throw new MipError("count", `${where} is ${value}, but ${op.array} has another number of elements`);
                 }
-                this.number(op, value, where);
                 break;
             case "bits":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 if (value.length !== op.size) throw new MipError("count", `${where} needs ${op.size} bytes`);
                 for (const [i, byte] of value.entries()) this.parts.push(writeInteger(byte, 1, false, `${where}[${i}]`));
                 break;
@@ -241,7 +246,7 @@ class Writer {
                 this.parts.push(writeText(value, where));
                 break;
             case "array":
-                refuseOther(where, value, Array.isArray(value), "an array");
+                refuseOther(where, value, isList(value), "an array");
                 checkCount(op, value, where);
                 for (const [i, item] of value.entries()) this.put(op.item, item, {}, `${where}[${i}]`);
                 break;
@@ -280,6 +285,11 @@ class Writer {
 /** Is there a value? A counter that is left out counts its array. */
 function isGiven(op, values) {
     return Object.hasOwn(values, op.member) || (op.kind === "counter" && Object.hasOwn(values, op.array));
+}
+
+function refuseOtherField(field) {
+    if (!Array.isArray(field?.operations))
+        throw new MipError("unknown", `${described(field)} is not a field; protocol.field(name) gives one`);
 }
 
 const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);

@@ -99,7 +99,10 @@ function decodeField(protocol, set, { descriptor, data }, options) {
 export function buildPacket(protocol, set, fields) {
     if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
         throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!Array.isArray(fields)) throw new MipError("fields", `${described(fields)} is not an array of fields`);
     const parts = fields.flatMap((entry) => {
+        if (typeof entry !== "object" || entry === null)
+            throw new MipError("fields", `${described(entry)} is not a field with a descriptor`);
         if (!(Number.isInteger(entry.descriptor) && entry.descriptor >= 0 && entry.descriptor < 256)) {
             throw new MipError("descriptor", `no field has descriptor ${described(entry.descriptor)}`);
         }
@@ -119,7 +122,7 @@ export function buildPacket(protocol, set, fields) {
 
 function dataOf(protocol, set, { descriptor, name, values }) {
     const field = protocol.candidates(set, descriptor).find((candidate) => candidate.name === name);
-    if (!field) throw new MipError("unknown", `set ${set} has no field ${name} with descriptor ${descriptor}`);
+    if (!field) throw new MipError("unknown", `set ${set} has no field ${described(name)} with descriptor ${descriptor}`);
     return encodeData(protocol, field, values);
 }
 

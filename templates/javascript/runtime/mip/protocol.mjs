@@ -1,6 +1,6 @@
 // The model of the protocol: what is in mip.json, found by name and by descriptor.
 
-import { MipError } from "./bytes.mjs";
+import { MipError, bytesOf, described } from "./bytes.mjs";
 
 /** Descriptor set of the fields that are valid in every data set. */
 export const SHARED_SET = 255;
@@ -14,11 +14,15 @@ export const FORMAT = "1";
 export class Protocol {
     /** @param model the parsed mip.json */
     constructor(model) {
-        if (String(model?.format).split(".")[0] !== FORMAT) {
-            throw new MipError("format", `the model has format ${model?.format}; this code knows ${FORMAT}`);
+        const format = model?.format;
+        if (typeof format !== "string" || format.split(".")[0] !== FORMAT) {
+            throw new MipError("format", `the model has format ${described(format)}; this code knows ${FORMAT}`);
+        }
+        for (const part of ["packet", "scalars", "fields", "types", "sets", "functions", "acknowledge"]) {
+            if (!model[part]) throw new MipError("format", `the model has no "${part}"`);
         }
         this.model = model;
-        this.sync = model.packet.sync;
+        this.sync = Uint8Array.from(model.packet.sync);
         this.maxPayload = model.packet.max_payload;
         this.maxFieldData = model.packet.max_field_data;
         this.fields = byKey(model.fields, "name");
@@ -56,7 +60,8 @@ export class Protocol {
     }
 
     /** The layout of these data: by constants, as far as the data reach, then by size. Undefined if there is none. */
-    choose(set, descriptor, data) {
+    choose(set, descriptor, given) {
+        const data = bytesOf(given);
         const layouts = this.candidates(set, descriptor);
         if (layouts.length < 2) return layouts[0];
         const fitting = layouts.filter((field) => (field.constants ?? []).every((constant) => agrees(constant, data)));
@@ -79,7 +84,7 @@ function byKey(things, key) {
 
 function found(things, name, what) {
     const thing = things.get(name);
-    if (!thing) throw new MipError("unknown", `there is no ${what} "${name}"`);
+    if (!thing) throw new MipError("unknown", `there is no ${what} ${described(name)}`);
     return thing;
 }
 

@@ -45,10 +45,11 @@ export function builder(root, protocol, options = {}) {
     const forms = element("div", {});
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
 
+    let started = false; // the address stays as it is until something is changed
     const show = () => {
         const packet = built(protocol, state);
         output.replaceChildren(...report(protocol, state, packet, to));
-        if (options.field !== undefined && packet.bytes) {
+        if (started && options.field !== undefined && packet.bytes) {
             const text = [state.device?.id, toHex(packet.bytes).toUpperCase()].filter(Boolean).join(" ");
             history.replaceState(history.state, "", `#${encodeURIComponent(text)}`);
         }
@@ -117,22 +118,35 @@ export function builder(root, protocol, options = {}) {
     if (start.entries) begin(start.entries, start.set);
     else choose(start.name ?? protocol.model.sets[0].fields[0]);
     if (start.problem) forms.before(problem);
+    started = true;
     return { choose, state: () => state };
 }
 
-/** What a fragment says: a device, and a field by its name or a packet. */
+/** What a fragment says: a device, and a field by its name or a packet; `problem` is what cannot be taken over. */
 function startOf(protocol, text) {
     const device = protocol.model.devices.find((one) => text === one.id || text.startsWith(`${one.id} `));
     const rest = device ? text.slice(device.id.length).trim() : text;
+    if (!rest) return { device };
     if (protocol.fields.has(rest)) return { device, name: rest };
+    const { bytes } = bytesOfText(rest);
+    if (!bytes.length) return { device, problem: "The address has neither the name of a field nor a packet." };
     try {
-        const packet = Packet.from(protocol, bytesOfText(rest).bytes);
-        const entries = packet.decode().map(({ field, values }) => field && values && { field, values });
-        if (entries.length && entries.every(Boolean)) return { device, entries, set: packet.set };
+        const packet = Packet.from(protocol, bytes);
+        const entries = packet.decode().map(takenOver);
+        if (!entries.length) throw new MipError("fields", "it has no field");
+        const left = entries.filter(({ trailing }) => trailing).map(({ field, trailing }) => `${trailing} at the end of ${field.name}`);
+        const problem = left.length ? `Bytes that no parameter has are left out: ${left.join(", ")}.` : undefined;
+        return { device, entries: entries.map(({ field, values }) => ({ field, values })), set: packet.set, problem };
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
+        return { device, problem: `The packet of the address cannot be taken over: ${error.message}.` };
     }
-    return { device, problem: rest && "The address has neither the name of a field nor a packet whose fields are all known." };
+}
+
+function takenOver({ descriptor, field, values, trailing, error }) {
+    if (error) throw error;
+    if (!field) throw new MipError("unknown", `there is no field with descriptor ${hexByte(descriptor)} in its set`);
+    return { field, values, trailing };
 }
 
 function entryOf(protocol, field, selector) {

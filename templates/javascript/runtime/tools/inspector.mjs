@@ -39,6 +39,10 @@ export function inspector(root, protocol, options = {}) {
 }
 
 function report({ bytes, ignored, parts }, to) {
+    if (!bytes.length && ignored.length) {
+        const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
+        return [element("p", { class: "mip-wrong" }, words, ignored.join(" "))];
+    }
     if (!bytes.length) return [element("p", { class: "mip-note" }, "Nothing to read yet.")];
     const packets = parts.filter((part) => part.kind !== "other").length;
     const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;

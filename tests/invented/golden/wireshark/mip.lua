@@ -1273,6 +1273,16 @@ local function plausible(raw, at, size)
   return SETS[raw:byte(at + 3)] ~= nil
 end
 
+-- Is one of the packets in these bytes plausible? The first may be of an unknown set, or right by chance.
+local function recognized(raw)
+  for _, found in ipairs((scan(raw, true))) do
+    if plausible(raw, found.at, found.size) then
+      return true
+    end
+  end
+  return false
+end
+
 -- What bytes between packets are: { at, size, reason }, or { at, size, broken = true } for a packet whose checksum
 -- alone is wrong.
 local function pieces(raw, at, stop)
@@ -1597,10 +1607,8 @@ end
 
 -- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
-  for _, found in ipairs((scan(raw, false))) do
-    if plausible(raw, found.at, found.size) then
-      return true
-    end
+  if recognized(raw) then
+    return true
   end
   if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not SETS[raw:byte(3)] then
     return false
@@ -1733,9 +1741,7 @@ local log = FileHandler.new("MIP log", "mip", "Raw bytes of MIP packets", "rs")
 log.extensions = "mip;bin;log;dat;raw"
 
 function log.read_open(file, capture)
-  local raw = file:read(PROBE) or ""
-  local first = scan(raw, true, 1)[1]
-  if not first or not plausible(raw, first.at, first.size) then
+  if not recognized(file:read(PROBE) or "") then
     return false
   end
   file:seek("set", 0)

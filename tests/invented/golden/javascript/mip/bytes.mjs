@@ -13,7 +13,7 @@ export class MipError extends Error {
 export function checksum(bytes) {
     let a = 0;
     let b = 0;
-    for (const byte of bytes) {
+    for (const byte of bytesOf(bytes)) {
         a = (a + byte) & 0xff;
         b = (b + a) & 0xff;
     }
@@ -22,7 +22,7 @@ export function checksum(bytes) {
 
 /** "7565", or with a separator "75 65". */
 export function toHex(bytes, between = "") {
-    return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(between);
+    return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
 /** The bytes of hexadecimal digits without anything between them. */
@@ -32,12 +32,24 @@ export function fromHex(text) {
     return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
+// What a value is, whatever it says of itself: the name of a typed array, also of another window, or undefined.
+const typedArray = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), Symbol.toStringTag).get;
+const bufferSize = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, "byteLength").get;
+
 /** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
 export function bytesOf(value) {
-    const kind = Object.prototype.toString.call(value);
-    if (kind === "[object ArrayBuffer]") return new Uint8Array(value);
-    if (kind !== "[object Uint8Array]") throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
-    return value;
+    if (typedArray.call(value) === "Uint8Array") return value;
+    try {
+        bufferSize.call(value); // a TypeError for all else
+    } catch {
+        throw new MipError("bytes", `${described(value)} is not a Uint8Array or an ArrayBuffer`);
+    }
+    return new Uint8Array(value);
+}
+
+/** Is a value an array or a typed array? */
+export function isList(value) {
+    return Array.isArray(value) || typedArray.call(value) !== undefined;
 }
 
 export function concatenated(...parts) {

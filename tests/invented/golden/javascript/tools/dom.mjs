@@ -38,3 +38,13 @@ function link(href, words) {
 export function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
+
+/** What is behind the # of the address, as it is if it is no encoded text. */
+export function fragment() {
+    const text = location.hash.slice(1);
+    try {
+        return decodeURIComponent(text);
+    } catch {
+        return text;
+    }
+}
