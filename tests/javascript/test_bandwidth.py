@@ -112,3 +112,26 @@ def test_random_streams(page: browser.Page, device: str) -> None:
             enough = [r for r in port.baud_rates if r >= need]
             none = "none of its baud rates is enough" if port.baud_rates else "no baud rate"
             assert found["ports"][port.name] == (str(min(enough)) if enough else none)
+
+
+def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
+    """What its sources do not tell is not what the device does not have: it is offered, and marked."""
+    assert page.run("choose('3dm-gx5-25', [['sensor', 'sensor.scaled_accel', 10]])")["need"]
+    row = "document.querySelector('[data-set=\"{}\"] [data-field=\"{}\"] label').textContent"
+    assert page.run(row.format("sensor", "sensor.scaled_accel")).endswith("(not known)")
+    assert "is incomplete: No manual is known." in page.run("document.querySelector('#tool').textContent")
+    page.run("choose('3dm-gx5-35', [])")
+    of = model("real").device("3dm-gx5-35")
+    assert of is not None and of.incomplete
+    for s in of.supports:
+        if s.field.set_name == "sensor" and s.field.role == m.DATA:
+            assert page.run(row.format("sensor", s.field.full_name)).endswith("(perhaps)") == bool(s.evidence)
+
+
+def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:
+    page.run("choose('3dm-gx5-15', [])")
+    of = model("real").device("3dm-gx5-15")
+    assert of is not None and not of.incomplete
+    listed = {s.field.full_name for s in of.supports if s.field.role == m.DATA}
+    assert set(page.run("[...document.querySelectorAll('[data-field]')].map((row) => row.dataset.field)")) == listed
+    assert "incomplete" not in page.run("document.querySelector('#tool').textContent")

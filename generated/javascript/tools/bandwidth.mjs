@@ -1,6 +1,7 @@
 // Bandwidth: choose data fields and rates, and see which baud rate they need.
 
-import { element, links } from "./dom.mjs";
+import { certaintyOn } from "./build.mjs";
+import { element, links, mark, profileNote } from "./dom.mjs";
 import { needOf, portsFor, streamsOf } from "./stream.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
@@ -14,18 +15,21 @@ export function bandwidth(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id, selected: one.id === options.device }, one.title)),
     );
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const note = element("div", { role: "status" });
     const list = element("div");
     let rows = [];
     const chosen = () => protocol.model.devices.find((one) => one.id === device.value);
     const show = () => output.replaceChildren(...report(chosen(), rows));
     const layOut = () => {
         const streams = streamsOf(protocol, chosen());
-        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, show, to)));
+        const certainty = (field) => certaintyOn(protocol, chosen(), field);
+        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, certainty(field), show, to)));
+        note.replaceChildren(...[profileNote(chosen())].filter(Boolean));
         list.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
         show();
     };
     device.addEventListener("input", layOut);
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), output, list);
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), note, output, list);
     layOut();
 }
 
@@ -54,7 +58,7 @@ function streamTable({ set, base }, rows) {
 }
 
 /** A line of the table; `rate` is that of the field, 0 while it is not chosen. */
-function streamRow(field, { set, base }, show, to) {
+function streamRow(field, { set, base }, certainty, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
     const number = element("input", {
@@ -76,7 +80,7 @@ function streamRow(field, { set, base }, show, to) {
     };
     for (const control of [box, number]) control.addEventListener("input", changed);
     text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
-    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}`);
+    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}${mark(certainty)}`);
     row.line = element(
         "tr",
         { "data-field": field.name },

@@ -34,6 +34,19 @@ function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
 }
 
+/** What is not known of a device, if its profile is incomplete. */
+export function profileNote(device) {
+    if (!device?.incomplete) return undefined;
+    const unknown = device.incomplete.join(" ").replaceAll("`", "");
+    const marked = "Fields that it perhaps has, or of which nothing is known, are offered and marked.";
+    return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
+}
+
+/** Words behind the name of a field that a device does not have for certain. */
+export function mark(certainty) {
+    return certainty ? ` (${certainty})` : "";
+}
+
 /** Calls a function when the user has changed something. */
 export function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);

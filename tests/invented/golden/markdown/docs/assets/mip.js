@@ -1317,12 +1317,25 @@ function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
 }
 
+/** What is not known of a device, if its profile is incomplete. */
+function profileNote(device) {
+    if (!device?.incomplete) return undefined;
+    const unknown = device.incomplete.join(" ").replaceAll("`", "");
+    const marked = "Fields that it perhaps has, or of which nothing is known, are offered and marked.";
+    return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
+}
+
+/** Words behind the name of a field that a device does not have for certain. */
+function mark(certainty) {
+    return certainty ? ` (${certainty})` : "";
+}
+
 /** Calls a function when the user has changed something. */
 function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
 
-return { element, links, whenChanged };
+return { element, links, profileNote, mark, whenChanged };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/find.mjs
@@ -2232,10 +2245,20 @@ function commandsOf(protocol, response) {
     return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
 }
 
+/**
+ * Whether a device can be offered a field: "" if it supports it, "perhaps" if it probably does, "not known" if its profile is
+ * incomplete and does not list it, undefined if it has no such field.
+ */
+function certaintyOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (support) return support.evidence ? "perhaps" : "";
+    return device.incomplete ? "not known" : undefined;
+}
+
 /** What differs on a device, each in words. */
 function differencesOn(protocol, device, field) {
     const support = supportOn(protocol, device, field);
-    if (!support) return ["it is not known to support this"];
+    if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
     if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);
@@ -2299,7 +2322,7 @@ function sourceOf(bytes, language) {
     }[language];
 }
 
-return { setsOf, requiredOperations, typicalValues, allOperations, initialValues, initialValue, counted, packetOf, optionalGroups, countOptional, shownOperations, supportOn, differencesOn, answerOf, sourceOf };
+return { setsOf, requiredOperations, typicalValues, allOperations, initialValues, initialValue, counted, packetOf, optionalGroups, countOptional, shownOperations, supportOn, certaintyOn, differencesOn, answerOf, sourceOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/stream.mjs
@@ -2308,6 +2331,7 @@ modules["tools/stream"] = (() => {
 // How much a port must carry for a stream of data fields.
 
 const { SHARED_SET } = modules["mip/protocol"];
+const { certaintyOn } = modules["tools/build"];
 
 /** Bytes of a packet beside its fields. */
 const FRAME = 6;
@@ -2340,13 +2364,13 @@ function portsFor(device, baud) {
 
 /**
  * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
- * it is not known, 0 for a set that is sent as it arrives. Without a device, all.
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, all; of an incomplete profile, what is not
+ * listed too.
  */
 function streamsOf(protocol, device) {
-    const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
     const fieldsOf = (set) =>
-        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => certaintyOn(protocol, device, field) !== undefined);
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
@@ -2587,9 +2611,9 @@ const { MipError, toHex } = modules["mip/bytes"];
 const { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } = modules["mip/names"];
 const { Packet } = modules["mip/packet"];
 const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
-const { allOperations, answerOf, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, supportOn, typicalValues } = modules["tools/build"];
+const { allOperations, answerOf, certaintyOn, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, typicalValues } = modules["tools/build"];
 const { LANGUAGES, programOf } = modules["tools/code"];
-const { element, links } = modules["tools/dom"];
+const { element, links, mark, profileNote } = modules["tools/dom"];
 const { bytesOfText } = modules["tools/input"];
 const { choicesOf, decimal, descriptorOf, hexByte, hexLiteral, spacedHex } = modules["tools/words"];
 
@@ -2607,6 +2631,7 @@ function builder(root, protocol, options = {}) {
         element("option", { value: "" }, "any device"),
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
+    const note = element("div", { role: "status" });
     const choice = element("select", { id: "mip-field" });
     const start = startOf(protocol, options.field ?? "");
     const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
@@ -2635,18 +2660,16 @@ function builder(root, protocol, options = {}) {
         ]);
         groups.push(["All command sets", [protocol.acknowledge]]);
         const chosen = state.entries[0]?.field;
-        const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
+        const offered = groups.map(([label, fields]) => [label, fieldOptions(protocol, state.device, fields, chosen)]);
         choice.replaceChildren(
-            ...groups
-                .map(offered)
-                .filter(([, fields]) => fields.length)
-                .map(([label, fields]) => fieldGroup(label, fields)),
+            ...offered.filter(([, options]) => options.length).map(([label, options]) => element("optgroup", { label }, options)),
         );
+        note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
         if (chosen) choice.value = chosen.name;
     };
     const adder = () => {
-        const fields = beside(protocol, state).filter((one) => supportOn(protocol, state.device, one));
-        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), fields.map(fieldOption));
+        const options = fieldOptions(protocol, state.device, beside(protocol, state));
+        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), options);
         add.addEventListener("input", () => {
             if (!add.value) return;
             state.entries.push(entryOf(protocol, protocol.field(add.value)));
@@ -2676,6 +2699,7 @@ function builder(root, protocol, options = {}) {
     });
     root.replaceChildren(
         element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
+        note,
         element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
         forms,
         output,
@@ -2715,13 +2739,14 @@ function beside(protocol, { set }) {
     return [...names.map((name) => protocol.field(name)), ...(set < FIRST_DATA_SET ? [protocol.acknowledge] : [])];
 }
 
-function fieldGroup(label, fields) {
-    return element("optgroup", { label }, fields.map(fieldOption));
-}
-
-function fieldOption(field) {
-    const words = `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
-    return element("option", { value: field.name }, words);
+/** The choices among fields: those that the device may have, and the chosen one. */
+function fieldOptions(protocol, device, fields, chosen) {
+    return fields.flatMap((field) => {
+        const certainty = certaintyOn(protocol, device, field);
+        if (certainty === undefined && field !== chosen) return [];
+        const response = field.role === "response" ? " (response)" : "";
+        return [element("option", { value: field.name }, `${hexByte(field.descriptor)} ${field.title}${response}${mark(certainty)}`)];
+    });
 }
 
 // ------------------------------------------------------------------------------------------------ inputs
@@ -3223,7 +3248,8 @@ return { builder, numberOfText };
 modules["tools/bandwidth"] = (() => {
 // Bandwidth: choose data fields and rates, and see which baud rate they need.
 
-const { element, links } = modules["tools/dom"];
+const { certaintyOn } = modules["tools/build"];
+const { element, links, mark, profileNote } = modules["tools/dom"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 const { descriptorOf, hexByte } = modules["tools/words"];
 
@@ -3237,18 +3263,21 @@ function bandwidth(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id, selected: one.id === options.device }, one.title)),
     );
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const note = element("div", { role: "status" });
     const list = element("div");
     let rows = [];
     const chosen = () => protocol.model.devices.find((one) => one.id === device.value);
     const show = () => output.replaceChildren(...report(chosen(), rows));
     const layOut = () => {
         const streams = streamsOf(protocol, chosen());
-        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, show, to)));
+        const certainty = (field) => certaintyOn(protocol, chosen(), field);
+        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, certainty(field), show, to)));
+        note.replaceChildren(...[profileNote(chosen())].filter(Boolean));
         list.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
         show();
     };
     device.addEventListener("input", layOut);
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), output, list);
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), note, output, list);
     layOut();
 }
 
@@ -3277,7 +3306,7 @@ function streamTable({ set, base }, rows) {
 }
 
 /** A line of the table; `rate` is that of the field, 0 while it is not chosen. */
-function streamRow(field, { set, base }, show, to) {
+function streamRow(field, { set, base }, certainty, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
     const number = element("input", {
@@ -3299,7 +3328,7 @@ function streamRow(field, { set, base }, show, to) {
     };
     for (const control of [box, number]) control.addEventListener("input", changed);
     text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
-    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}`);
+    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}${mark(certainty)}`);
     row.line = element(
         "tr",
         { "data-field": field.name },
