@@ -1378,7 +1378,7 @@ function find(index, text, limit = 20) {
         const rank = Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
-    const order = ({ field, rank }) => (rank < EXACT ? [rank] : [rank, entryRank(field), field.name.length]);
+    const order = ({ field, rank }) => [rank, entryRank(field), rank < EXACT ? 0 : field.name.length];
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
 }
@@ -1395,21 +1395,33 @@ function entryRank(field) {
 
 // ------------------------------------------------------------------------------------------------ descriptors
 
-const PAIR = /^[([{]*\s*(?:0x)?([0-9a-f]{2})(?:\s*[\s,:;/.-]\s*(?:0x)?|(?:0x)?)([0-9a-f]{2})h?\s*[)\]}]*$/i;
-const SINGLE = /^[([{]*\s*(?:0x([0-9a-f]{1,2})|([0-9a-f]{2})h?)\s*[)\]}]*$/i;
+// Words and marks that people write around the numbers.
+const AROUND = /\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+/g;
+
+// 0x4, 4h, 04; and 4, which is a descriptor only behind a set.
+const NUMBER = /^(?:0x([0-9a-f]{1,2})h?|([0-9a-f]{1,2})h|([0-9a-f]{2}))$/;
+const DIGIT = /^([0-9a-f])$/;
+const TOGETHER = /^(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?$/;
+
+/** A set and a descriptor, or one of them; empty for other texts. */
+function descriptorsOf(query) {
+    const parts = query.toLowerCase().replace(AROUND, " ").trim().split(" ").filter(Boolean);
+    const match = (part, ...forms) => forms.map((form) => form.exec(part)).find(Boolean);
+    const matches = parts.map((part, i) => match(part, NUMBER, ...(i ? [DIGIT] : parts.length > 1 ? [] : [TOGETHER])));
+    if (matches.length > 2 || !matches.every(Boolean)) return [];
+    const digits = matches.flatMap((found) => found.slice(1).filter(Boolean));
+    return digits.map((one) => Number.parseInt(one, 16));
+}
 
 function byDescriptor({ protocol }, query) {
-    const pair = PAIR.exec(query);
-    if (pair) {
-        const [set, descriptor] = [pair[1], pair[2]].map((digits) => Number.parseInt(digits, 16));
-        return protocol.candidates(set, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
+    const [first, descriptor] = descriptorsOf(query);
+    if (first === undefined) return [];
+    if (descriptor !== undefined) {
+        return protocol.candidates(first, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
     }
-    const single = SINGLE.exec(query);
-    if (!single) return [];
-    const number = Number.parseInt(single[1] ?? single[2], 16);
     return protocol.model.fields
-        .filter((field) => field.set === number || field.descriptor === number)
-        .map((field) => ({ field, rank: field.set === number ? EXACT - 2 : EXACT - 1 }));
+        .filter((field) => field.set === first || field.descriptor === first)
+        .map((field) => ({ field, rank: field.set === first ? EXACT - 2 : EXACT - 1 }));
 }
 
 // ------------------------------------------------------------------------------------------------ names
