@@ -16,7 +16,9 @@ export function indexOf(protocol) {
     const synonyms = synonymsOf(protocol.model.vocabulary);
     const commands = new Map();
     for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
-    return { protocol, synonyms, entries: protocol.model.fields.map((field) => entryOf(protocol, field, commands)) };
+    const vendorWords = vendorWordsOf(protocol);
+    const entries = protocol.model.fields.map((field) => entryOf(protocol, field, commands, vendorWords));
+    return { protocol, synonyms, vendorWords, entries };
 }
 
 /**
@@ -30,9 +32,10 @@ export function find(index, text, limit = 20) {
     const ranks = new Map();
     for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
     const squashed = squash(query);
+    const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const words = [...new Set(wordsOf(query))];
     for (const entry of index.entries) {
-        const rank = Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
+        const rank = entry.vendor.has(vendor) ? EXACT : Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
     const order = ({ field, rank }) => [rank, entryRank(field), rank < EXACT ? 0 : field.name.length];
@@ -92,12 +95,33 @@ function wordsOf(text) {
     return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
 }
 
+// What symbols of the vendor have beside the words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_, extract_mip_.
+const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "insert", "to", "extract", "from"];
+
+/**
+ * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name and
+ * functions. mip_filter_position_llh_data and DATA_FILTER_POS_LLH are the same then.
+ */
+function vendorWordsOf({ model, functions }) {
+    const others = model.vocabulary.flatMap(({ word, instead_of: instead }) => instead.map((one) => [one, word]));
+    const usual = new Map(others);
+    const beside = new Set([...BESIDE, ...[...functions.values()].map((one) => one.name)]);
+    return (symbol) => {
+        const words = wordsOf(symbol.replace(/(?<=[a-z0-9])(?=[A-Z])/g, "_").replaceAll("_", " "));
+        const plain = words.map(stem).map((word) => usual.get(word) ?? word);
+        return plain
+            .filter((word) => !beside.has(word))
+            .sort()
+            .join(" ");
+    };
+}
+
 /** All words of some texts, with a space before and behind each. */
 function spaced(...texts) {
     return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
 
-function entryOf(protocol, field, commands) {
+function entryOf(protocol, field, commands, vendorWords) {
     const [set, name] = field.name.split(".");
     const also = field.also ?? [];
     const keywords = field.keywords ?? [];
@@ -119,6 +143,7 @@ function entryOf(protocol, field, commands) {
     return {
         field,
         squashed: [...new Set(names.map(squash))],
+        vendor: new Set([name, ...also].map((one) => vendorWords(`${set}.${one}`))),
         constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
         words: {
             [TITLE]: spaced(field.title, name, ...also, ...keywords),
