@@ -1296,8 +1296,9 @@ function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
- * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage` and
+ * `options.inspectorPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them; without one, there are no
+ * links. A response is on the page of its command.
  */
 function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -1309,6 +1310,9 @@ function links(options = {}) {
         },
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
+        },
+        inspector(packet) {
+            return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);
         },
     };
 }
@@ -1343,7 +1347,9 @@ return { element, links, profileNote, mark, whenChanged };
 modules["tools/find"] = (() => {
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
 
-const { hexByte } = modules["tools/words"];
+const { sameBytes } = modules["mip/bytes"];
+const { bytesOfText } = modules["tools/input"];
+const { hexByte, spacedHex } = modules["tools/words"];
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
@@ -1353,6 +1359,9 @@ const WORDS = 3;
 const PARTS = 4;
 const TEXT = 5;
 const PLACES = [TITLE, WORDS, PARTS, TEXT];
+
+/** Bytes of a packet before its payload: what is shorter may be a descriptor. */
+const FRAME_HEAD = 4;
 
 /** An index of all fields, for `find`. */
 function indexOf(protocol) {
@@ -1384,6 +1393,13 @@ function find(index, text, limit = 20) {
     const order = ({ field, rank }) => [rank, entryRank(field), rank < EXACT ? 0 : field.name.length];
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+/** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
+function packetIn({ protocol }, text) {
+    const { bytes } = bytesOfText(text);
+    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.sync);
+    return begun ? spacedHex(bytes) : undefined;
 }
 
 function compared(a, b) {
@@ -1578,7 +1594,7 @@ function kindOf(field) {
     return `${field.role} ${field.set ? `${hexByte(field.set)},` : ""}${hexByte(field.descriptor)}`;
 }
 
-return { indexOf, find, kindOf };
+return { indexOf, find, packetIn, kindOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/code.mjs
@@ -2594,7 +2610,7 @@ modules["tools/finder"] = (() => {
 // The finder: type what you know of a field, and go to its page.
 
 const { element, links } = modules["tools/dom"];
-const { find, indexOf, kindOf } = modules["tools/find"];
+const { find, indexOf, kindOf, packetIn } = modules["tools/find"];
 
 /** Fills an element with the finder. `options` are those of `links`, and `text`, what is looked for at first. */
 function finder(root, protocol, options = {}) {
@@ -2603,9 +2619,11 @@ function finder(root, protocol, options = {}) {
     const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: options.text });
     const output = element("ul", { class: "mip-results", "aria-live": "polite" });
     const update = () => {
-        const found = find(index, input.value);
+        const packet = options.inspectorPage && packetIn(index, input.value);
+        const found = find(index, input.value).map(({ field }) => resultItem(field, to));
+        if (packet) found.unshift(element("li", {}, to.inspector(packet)));
         const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found.map(({ field }) => resultItem(field, to)) : nothing));
+        output.replaceChildren(...(found.length ? found : nothing));
     };
     const form = element(
         "form",
@@ -3447,7 +3465,7 @@ const { bandwidth } = modules["tools/bandwidth"];
 const { answerOf, initialValues, packetOf, typicalValues } = modules["tools/build"];
 const { builder } = modules["tools/builder"];
 const { programOf } = modules["tools/code"];
-const { find, indexOf } = modules["tools/find"];
+const { find, indexOf, packetIn } = modules["tools/find"];
 const { finder } = modules["tools/finder"];
 const { bytesOfText } = modules["tools/input"];
 const { inspect } = modules["tools/inspect"];
@@ -3455,7 +3473,7 @@ const { inspector } = modules["tools/inspector"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 const { descriptorOf } = modules["tools/words"];
 
-return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
+return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, find, indexOf, packetIn, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
 })();
 
 globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };

@@ -4,7 +4,7 @@ export { bandwidth } from "./bandwidth.mjs";
 export { answerOf, initialValues, packetOf, typicalValues } from "./build.mjs";
 export { builder } from "./builder.mjs";
 export { programOf } from "./code.mjs";
-export { find, indexOf } from "./find.mjs";
+export { find, indexOf, packetIn } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { bytesOfText } from "./input.mjs";
 export { inspect } from "./inspect.mjs";

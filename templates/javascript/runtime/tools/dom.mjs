@@ -13,8 +13,9 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
- * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage` and
+ * `options.inspectorPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them; without one, there are no
+ * links. A response is on the page of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -26,6 +27,9 @@ export function links(options = {}) {
         },
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
+        },
+        inspector(packet) {
+            return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);
         },
     };
 }

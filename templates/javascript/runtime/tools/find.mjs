@@ -1,6 +1,8 @@
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
 
-import { hexByte } from "./words.mjs";
+import { sameBytes } from "../mip/bytes.mjs";
+import { bytesOfText } from "./input.mjs";
+import { hexByte, spacedHex } from "./words.mjs";
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
@@ -10,6 +12,9 @@ const WORDS = 3;
 const PARTS = 4;
 const TEXT = 5;
 const PLACES = [TITLE, WORDS, PARTS, TEXT];
+
+/** Bytes of a packet before its payload: what is shorter may be a descriptor. */
+const FRAME_HEAD = 4;
 
 /** An index of all fields, for `find`. */
 export function indexOf(protocol) {
@@ -41,6 +46,13 @@ export function find(index, text, limit = 20) {
     const order = ({ field, rank }) => [rank, entryRank(field), rank < EXACT ? 0 : field.name.length];
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+/** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
+export function packetIn({ protocol }, text) {
+    const { bytes } = bytesOfText(text);
+    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.sync);
+    return begun ? spacedHex(bytes) : undefined;
 }
 
 function compared(a, b) {
