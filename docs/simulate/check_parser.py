@@ -12,12 +12,15 @@ fields = tuple(types.DescriptorRate(descriptor, 10) for descriptor in (0xD3, 0x0
 connection.sendall(bytes(mip_3dm.MessageFormat.write(0x80, fields).packet()))
 connection.sendall(bytes(mip_3dm.DataStreamControl.write(0x80, True).packet()))
 
-parser, found = Parser(), Counter()
+parser = Parser()
+found: Counter[bytes] = Counter()
 while data := connection.recv(4096):  # until the simulation ends
     found.update(bytes(packet) for packet in parser.feed(data))
 found.update(bytes(packet) for packet in parser.flush())
 
-sent, damaged, added = Counter(), Counter(), Counter()
+sent: Counter[bytes] = Counter()
+damaged: Counter[bytes] = Counter()
+added: Counter[bytes] = Counter()
 with open(sys.argv[2]) as log:
     for entry in map(json.loads, log):
         if entry["kind"] == "sent":

@@ -1,7 +1,7 @@
 import time
 
 import serial  # pyserial
-from mip_protocol import Answer, Client, TimedOut, base
+from mip_protocol import Answer, Client, Received, TimedOut, base
 
 client = Client()
 port = serial.Serial("/dev/ttyACM0", 115200)
@@ -16,5 +16,5 @@ while client.pending:
             print("refused" if not event.accepted else "done", event.code.name, event.error or "")
         elif isinstance(event, TimedOut):
             print("no answer to", event.command.NAME)
-        else:
+        elif isinstance(event, Received):
             print("data:", event.packet)

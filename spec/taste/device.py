@@ -5,7 +5,7 @@ with open_port("/dev/ttyACM0", 115200) as device:
     rate = device.request(mip_3dm.GetBaseRate(sensor.ScaledAccel.SET)).rate
     wanted = types.DescriptorRate(sensor.ScaledAccel.DESCRIPTOR, rate // 10)  # 10 Hz
     try:
-        device.request(mip_3dm.MessageFormat.write(sensor.ScaledAccel.SET, (wanted,)))
+        device.request(mip_3dm.MessageFormat.write(sensor.ScaledAccel.SET, [wanted]))
         device.request(mip_3dm.DataStreamControl.write(sensor.ScaledAccel.SET, True))
     except Refused as refusal:
         print(refusal.command, refusal.code.name)

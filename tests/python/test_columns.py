@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 import gzip
 import importlib
 import io
 import os
+import pickle
 import random
 import re
 import shutil
@@ -857,6 +859,62 @@ def test_compiled_code_is_clean(compiler: str, tmp_path: Path) -> None:
     options = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c"]
     command = [compiler, *options, "-o", str(tmp_path / "kernel.o"), str(real.columns.native.SOURCE)]
     subprocess.run(command, check=True)
+
+
+# --------------------------------------------------------------------------- copies
+
+
+def test_logs_and_columns_can_be_pickled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = b"".join(packet(0x80, gps(i), ACCEL, (5, bytes(12))) for i in range(50))
+    (tmp_path / "drive.bin").write_bytes(b"noise" + stream)
+    monkeypatch.chdir(tmp_path)
+    by_path = real.columns.read_log("drive.bin", 100, 900, device="3dm-gx5-15")
+    for log in (by_path, real.columns.read_log(stream, 30), real.columns.read_log(Path("drive.bin"))):
+        column = log["sensor.scaled_accel"]
+        shared = log["shared.gps_timestamp"]
+        monkeypatch.chdir("/")  # as in another process
+        for way in (lambda x: pickle.loads(pickle.dumps(x)), copy.copy, copy.deepcopy):
+            other = way(log)
+            assert (other.begin, other.end, other.device, other.packets) == (
+                log.begin,
+                log.end,
+                log.device,
+                log.packets,
+            )
+            for one in (column, shared):
+                same = way(one)
+                assert same.type is one.type and same.names == one.names and len(same) == len(one) > 0
+                assert all((same[name] == one[name]).all() for name in one.names)
+                for attribute in ("packet", "offset", "set", "sets"):
+                    assert np.array_equal(getattr(same, attribute), getattr(one, attribute))
+                assert same.time().values.tolist() == one.time().values.tolist()
+                assert list(same.objects()) == list(one.objects())
+        monkeypatch.chdir(tmp_path)
+    with open("drive.bin", "rb") as file, pytest.raises(TypeError, match="read it from a path or from bytes"):
+        pickle.dumps(real.columns.read_log(file))
+    assert repr(by_path) == f"<Log {str(tmp_path / 'drive.bin')!r}: bytes 100 to 900>"
+    assert repr(real.columns.read_log(b"abc")) == "<Log in memory: bytes 0 to 3>"
+
+
+# --------------------------------------------------------------------------- types without parameters
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_a_type_without_parameters_has_rows(library: str) -> None:
+    ping, idle = (bytes(kind().packet()) for kind in (real.base.Ping, real.base.SetIdle))
+    log = real.columns.read_log(ping + idle + ping)
+    frame = log.frame(real.base.Ping, library=library)
+    assert len(frame) == 2 and cells(frame) == {"ping": [True, True]}
+    both = cells(log.frame(["base.ping", "base.set_idle"], library=library))
+    assert both == {"ping": [True, False, True], "set_idle": [False, True, False]}
+
+
+@pytest.mark.parametrize("wrong", [4, None, int, real.types.DescriptorRate, real.types.AckCode, real.field.Command])
+def test_what_is_no_field(wrong: Any) -> None:
+    log = real.columns.read_log(b"")
+    for ask in (log.frame, log.column, log.__getitem__, log.__contains__, lambda kind: list(log.objects(kind))):
+        with pytest.raises(LookupError, match="is not a field: a column needs a class such as"):
+            ask(wrong)
 
 
 # --------------------------------------------------------------------------- documentation

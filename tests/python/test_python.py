@@ -200,10 +200,20 @@ def test_complaints_have_the_path_and_the_type() -> None:
 
 
 def test_arguments_of_a_wrong_type() -> None:
-    with pytest.raises(TypeError, match=r"needs bytes, not text; write Packet\(bytes.fromhex\('75 65'\)\)"):
+    with pytest.raises(TypeError, match=r"needs bytes, not text; write bytes.fromhex\('75 65'\)"):
         real.packet.Packet("75 65")
     with pytest.raises(TypeError, match="baud rate '115200': needs a whole number, as in 115200"):
         real.device.open_port("localhost:1", "115200")
+
+
+def test_a_port_may_be_a_path() -> None:
+    ours, theirs = os.openpty()
+    try:
+        real.device.open_port(Path(os.ttyname(theirs))).close()
+        assert real.port.address(Path("localhost:1")) == ("localhost", 1)
+    finally:
+        os.close(ours)
+        os.close(theirs)
 
 
 def test_errors_can_be_pickled() -> None:

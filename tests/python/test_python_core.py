@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import partial
 from itertools import accumulate
 from pathlib import Path
 from typing import Any
@@ -320,6 +321,36 @@ def test_shared_fields_know_the_set_they_came_from() -> None:
         real.packet.PacketBuilder(0xFF)
 
 
+def test_any_buffer_is_data() -> None:
+    ping = bytes(real.base.Ping().packet())
+    twice = bytes(b for pair in zip(ping, ping) for b in pair)
+    for buffer in (ping, bytearray(ping), memoryview(ping), memoryview(twice)[::2], array.array("B", ping)):
+        assert bytes(real.packet.Packet(buffer)) == ping
+    for kind, size in ((real.base.GetDeviceInfoResponse, 82), (real.sensor.ScaledAccel, 12)):
+        for buffer in (bytearray(size), memoryview(bytes(size)), memoryview(bytes(2 * size))[::2]):
+            assert kind.decode(buffer) == kind.decode(bytes(size))
+            assert kind.decode_with_trailing(buffer)[1] == 0
+    built = real.packet.PacketBuilder(0x80).add(4, memoryview(bytes(12))).build()
+    assert built == real.sensor.ScaledAccel((0, 0, 0)).packet()
+    for wrong, remedy in (
+        ([1, 2], r"not list; write bytes\(\[1, 2\]\)"),
+        (5, "not int$"),
+        ("75", "not text; write bytes.fro"),
+    ):
+        for takes in (real.packet.Packet, real.sensor.ScaledAccel.decode, partial(real.packet.PacketBuilder(1).add, 1)):
+            with pytest.raises(TypeError, match=f"needs bytes, {remedy}"):
+                takes(wrong)
+
+
+def test_a_packet_is_built_of_whole_numbers() -> None:
+    for wrong in (1.0, "base", None, 0, 255, -1):
+        with pytest.raises(real.errors.EncodeError, match=r"range: .* is not a descriptor set; use 1 to 254"):
+            real.packet.PacketBuilder(wrong)
+    for wrong in (1.0, "ping", None, 256, -1):
+        with pytest.raises(real.errors.EncodeError, match=r"range: .* is not a descriptor; use 0 to 255"):
+            real.packet.PacketBuilder(1).add(wrong)
+
+
 # --------------------------------------------------------------------------- memory
 
 
@@ -365,9 +396,13 @@ def test_matrices_are_indexed_by_row_and_column() -> None:
     assert [matrix[r, c] for r in range(3) for c in range(3)] == list(range(9)) == list(matrix)
     assert matrix[-1, -2] == 7 == matrix.m32 == matrix[7] and matrix[1:3] == (1, 2)
     assert matrix.rows == ((0, 1, 2), (3, 4, 5), (6, 7, 8))
+    needs = "needs one of 3 rows and one of 3 columns, from 0, not .*; `rows` has whole rows"
     for wrong in ((3, 0), (0, 3), (-4, 0)):
-        with pytest.raises(IndexError):
+        with pytest.raises(IndexError, match=needs):
             matrix[wrong]
+    for kind in ((0, slice(None)), (slice(1), 0), (0,), (0, 1, 2), (0, "x")):
+        with pytest.raises(TypeError, match=needs):
+            matrix[kind]
 
 
 class Array:
@@ -419,6 +454,26 @@ def test_vectors_are_made_of_any_sequence_of_numbers() -> None:
     made = arrays((0, 0, 0), (0, 0), [[0, 0, 0], Array([1, 2, 3])], (zero, zero), mip.types.Segment(zero, zero, (0, 0)))
     assert made.vectors[1].y == 2 and arrays.decode(made.encode()).vectors[1] == (1, 2, 3)
     assert type(arrays.decode(made.encode()).vectors[0]) is mip.types.Vector3f
+
+
+def test_arrays_are_made_of_any_sequence() -> None:
+    rates = [real.types.DescriptorRate(4, 10), real.types.DescriptorRate(5, 10)]
+    command = real.mip_3dm.MessageFormat.write(0x80, rates)
+    assert command.descriptors == tuple(rates) and type(command).decode(command.encode()) == command
+    config = real.gnss.RtkDongleConfig
+    for numbers in (
+        [1, 2, 3],
+        range(1, 4),
+        bytearray((1, 2, 3)),
+        b"\1\2\3",
+        array.array("H", (1, 2, 3)),
+        Array([1, 2, 3]),
+    ):
+        made = config(real.top.FunctionSelector.WRITE, 1, numbers)
+        assert made.reserved == (1, 2, 3) and config.decode(made.encode()) == made
+    for wrong in ("abc", {1, 2, 3}, {1: 2}, 5, (1, 2)):
+        with pytest.raises(real.errors.EncodeError, match="reserved"):
+            config(real.top.FunctionSelector.WRITE, 1, wrong).encode()
 
 
 # --------------------------------------------------------------------------- objects

@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import pytest
@@ -476,6 +477,35 @@ def test_objects_of_strange_values_have_a_text() -> None:
             assert str(holder) and holder.to_dict()
 
 
+@BOTH
+def test_values_that_cannot_be_sent_have_a_text(spec: str) -> None:
+    """The other methods refuse them as sending does."""
+    package = PACKAGES[spec]
+    chance, refused = random.Random(8), 0
+    for _, kind in package.registry.all_types():
+        for _ in range(5):
+            wrong = ("write", b"1", 1.5, {}, {1}, [], ["x"], (None,), object(), range(3), iter((1, 2)), 1 << 70, -1)
+            value = kind(**{name: chance.choice(wrong) for name in kind._MEMBERS})
+            assert str(value) and value.to_text("3dm-gx5-15" if spec == "real" else None)
+            calls: list[Any] = [value.to_dict, partial(value.to_dict, json=True)]
+            for p in kind.INFO.members:
+                calls += [partial(value.is_valid, p.name), partial(value.meaning, p.name)]
+            for call in calls:
+                try:
+                    call()
+                except package.errors.EncodeError:
+                    refused += 1
+    assert refused > 100
+
+
+def test_a_text_that_cannot_be_sent() -> None:
+    command = real.mip_3dm.MessageFormat("write", 0x80)
+    assert str(command) == repr(command)
+    for call in (command.to_dict, lambda: command.meaning("function"), command.encode):
+        with pytest.raises(real.errors.EncodeError, match="range: function is 'write', needs a FunctionSelector"):
+            call()
+
+
 def test_a_class_of_the_users_own_has_the_text_of_its_representation() -> None:
     class Mine(real.field.Data):  # type: ignore[name-defined,misc]
         __slots__ = ("x",)
@@ -573,3 +603,32 @@ def test_other_unknown_names() -> None:
         real.devices.by_name("gx5")
     again = pickle.loads(pickle.dumps(error.value))
     assert (str(again), again.near, again.kind) == (str(error.value), error.value.near, "unknown_name")
+
+
+@pytest.mark.parametrize("wrong", [4, None, int, real.sensor.ScaledAccel, 1.5])
+def test_what_is_no_name(wrong: Any) -> None:
+    for find, what in (
+        (real.registry.by_name, "a field"),
+        (real.registry.set_by_name, "a descriptor set"),
+        (real.devices.by_name, "a device"),
+    ):
+        with pytest.raises(real.errors.UnknownName, match=f"is not the name of {what}"):
+            find(wrong)
+
+
+def test_names_of_devices() -> None:
+    find, known = real.devices.by_name, real.devices.DEVICES
+    for name in ("GX5-45", "gx5 45", "3DM-GX5-45", "gx545", "GX5-GNSS/INS", "3dm gx5 gnss ins"):
+        assert find(name) is known["3dm-gx5-45"], name
+    for name, near in (
+        ("GX5-46", "3dm-gx5-45"),
+        ("cv7", "3dm-cv7-ar"),
+        ("3DM-GQ77", "3dm-gq7"),
+        ("3dm-gx5", "3dm-gx5-15"),
+    ):
+        with pytest.raises(real.errors.UnknownName, match=f"{name!r} is not a device; did you mean .*{near}") as found:
+            find(name)
+        assert near in found.value.near and len(found.value.near) <= 4
+    with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cx5-45, .* or 3dm-gx5-45"):
+        find("45")
+    assert repr(find("gx5 15")) == "<Device 3dm-gx5-15: 3DM-GX5-15>"

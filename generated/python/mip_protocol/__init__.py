@@ -31,12 +31,28 @@ from .protocol import VERSION, AckCode, Acknowledge, FunctionSelector
 
 # For type checkers and editors; otherwise modules are imported when they are first used.
 if TYPE_CHECKING:
+    from . import aiding as aiding
     from . import aio as aio
+    from . import base as base
     from . import devices as devices
+    from . import filter as filter
+    from . import filter_data as filter_data
+    from . import gnss as gnss
+    from . import gnss_1 as gnss_1
+    from . import gnss_2 as gnss_2
+    from . import gnss_corrections as gnss_corrections
+    from . import gnss_data as gnss_data
+    from . import gnss_external as gnss_external
+    from . import gnss_external_2 as gnss_external_2
+    from . import mip_3dm as mip_3dm
     from . import reflection as reflection
     from . import registry as registry
+    from . import rtk as rtk
+    from . import sensor as sensor
+    from . import shared as shared
+    from . import system as system
+    from . import system_data as system_data
     from . import types as types
-    from ._sets import *  # noqa: F403
     from .baud import detect_baud
     from .client import Answer, Client, Outcome, Received, Skipped, TimedOut
     from .columns import read_log as read_log  # not in __all__, as it needs NumPy

@@ -2,29 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from . import (
-        aiding,
-        base,
-        filter,
-        filter_data,
-        gnss,
-        gnss_1,
-        gnss_2,
-        gnss_corrections,
-        gnss_data,
-        gnss_external,
-        gnss_external_2,
-        mip_3dm,
-        rtk,
-        sensor,
-        shared,
-        system,
-        system_data,
-    )
-
 #: Descriptor set -> module of this package.
 MODULES: dict[int, str] = {
     0x01: "base",
@@ -46,23 +23,4 @@ MODULES: dict[int, str] = {
     0xFF: "shared",
 }
 
-__all__ = [
-    "MODULES",
-    "base",
-    "mip_3dm",
-    "filter",
-    "gnss",
-    "rtk",
-    "aiding",
-    "system",
-    "sensor",
-    "gnss_data",
-    "filter_data",
-    "gnss_1",
-    "gnss_2",
-    "gnss_corrections",
-    "gnss_external",
-    "gnss_external_2",
-    "system_data",
-    "shared",
-]
+__all__ = ["MODULES"]

@@ -325,7 +325,7 @@ class FrameConfig(Command[R]):
         frame_id: int | None = None,
         format: AidingFrameFormat | None = None,
         tracking_enabled: bool | None = None,
-        translation: types.Vector3f | None | codec.Numbers = None,
+        translation: types.Vector3f | codec.Numbers | None = None,
         rotation: types.Vector3f | types.Quatf | None | codec.Numbers = None,
     ) -> None:
         self.function = function

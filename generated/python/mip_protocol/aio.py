@@ -12,6 +12,7 @@ loop that created the device, from any number of tasks.
 from __future__ import annotations
 
 import asyncio
+import os
 import sys
 import threading
 import time
@@ -551,7 +552,7 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
 
     def __init__(
         self,
-        url: str,
+        url: str | os.PathLike[str],
         baud: int | None = USUAL,
         *,
         timeout: float = 1.0,
@@ -594,7 +595,7 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
         return device
 
 
-async def _connect(url: str, baud: int | None) -> Any:
+async def _connect(url: str | os.PathLike[str], baud: int | None) -> Any:
     host = address(url)
     opening: asyncio.Future[Any]
     stop: Callable[[], object]

@@ -8,6 +8,7 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from . import codec
@@ -179,8 +180,8 @@ class GetDeviceDescriptorsResponse(Response):
     byte.
     """
 
-    def __init__(self, descriptors: tuple[int, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[int]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
@@ -350,8 +351,8 @@ class GetExtendedDescriptorsResponse(Response):
     byte.
     """
 
-    def __init__(self, descriptors: tuple[int, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[int]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
@@ -395,8 +396,8 @@ class ContinuousBuiltInTestResponse(Response):
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
-    def __init__(self, result: tuple[int, ...]) -> None:
-        self.result = result
+    def __init__(self, result: Sequence[int]) -> None:
+        self.result = codec.several(result)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:

@@ -194,7 +194,7 @@ def typed(record: Any, error: EncodeError) -> EncodeError:
             if p.scalar == "bool":
                 return EncodeError(error.kind, f"{begin}True or False")
             if isinstance(p.type, type):
-                return EncodeError(error.kind, begin + _one(p.type))
+                return EncodeError(error.kind, begin + with_article(p.type))
     return error
 
 
@@ -204,7 +204,8 @@ def within(path: str, error: EncodeError) -> EncodeError:
     return EncodeError(error.kind, f"{path}{joint}{error.detail}")
 
 
-def _one(kind: type) -> str:
+def with_article(kind: type) -> str:
+    """A type with its article: "an AckCode"."""
     return f"a{'n' * (kind.__name__[0] in 'AEIOU')} {kind.__name__}"
 
 
@@ -292,9 +293,9 @@ def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> 
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
-    found = []
+    read, found = kind._read, []
     for _ in range(count):
-        value, at = kind._read(data, at)
+        value, at = read(data, at)
         found.append(value)
     return tuple(found), at
 
@@ -304,7 +305,7 @@ def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> by
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     if not isinstance(value, kind):
-        raise EncodeError("range", f"{name} is {value!r}, needs {_one(kind)}")
+        raise EncodeError("range", f"{name} is {value!r}, needs {with_article(kind)}")
     try:
         return value._write()
     except EncodeError as error:
@@ -398,11 +399,25 @@ def vectors(value: Any, *kinds: type[Any]) -> Any:
     return tuple([vector(v, *kinds) for v in found]) if isinstance(found, Sequence) else value
 
 
+def several(value: Any) -> Any:
+    """An array as the tuple that a decoder makes; anything else is returned unchanged, as by `vector`."""
+    if type(value) is tuple:
+        return value
+    found = value if isinstance(value, (bytes, bytearray)) else _listed(value)
+    return tuple(found) if isinstance(found, Sequence) else value
+
+
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
     """An element of a matrix by row and column, counted from 0; else as of any tuple."""
     if isinstance(at, tuple):
-        row, column = at
-        at = range(len(matrix) // columns)[row] * columns + range(columns)[column]
+        rows = len(matrix) // columns
+        try:
+            row, column = at
+            at = range(rows)[row] * columns + range(columns)[column]
+        except (IndexError, TypeError, ValueError) as error:
+            kind = IndexError if isinstance(error, IndexError) else TypeError
+            needs = f"needs one of {rows} rows and one of {columns} columns, from 0"
+            raise kind(f"a matrix {needs}, not {at}; `rows` has whole rows") from None
     return tuple.__getitem__(matrix, at)
 
 

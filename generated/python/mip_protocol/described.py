@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, overload
 
+from .errors import EncodeError
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -65,7 +67,8 @@ class Described:
         """Is a value valid according to its flags? A value without a flag is.
 
         `name` may be that of an element: "velocity.x". A vector is valid if all of its elements
-        are. An absent value is not valid. The flags may depend on the device (its id).
+        are. An absent value is not valid. The flags may depend on the device (its id). Raises
+        EncodeError if they are not a number.
         """
         name, _, element = name.partition(".")
         p = self.INFO[name].of(self, device)
@@ -79,7 +82,13 @@ class Described:
                 raise unknown(element, f"an element of {p.name}", p.elements)
             flags = flags[p.elements.index(element) :][:1] if len(flags) > 1 else flags
         held = [(flag, getattr(self, flag.attribute)) for flag in flags]
-        return all(value is not None and flag.holds(value) for flag, value in held)
+        try:
+            return all(value is not None and flag.holds(value) for flag, value in held)
+        except TypeError:
+            wrong = ", ".join(
+                dict.fromkeys(f"{flag.attribute} is {value!r}" for flag, value in held)
+            )
+            raise EncodeError("range", f"{wrong}, needs a whole number") from None
 
     def meaning(self, name: str, device: str | None = None) -> Any:
         """The value `name` as the enumeration or bitfield that gives its meaning.
@@ -103,7 +112,8 @@ class Described:
         what is set: names, "name=number" for numbers of several bits, and bits without a name as a
         hexadecimal number. All of these are numbers, and vectors lists, if not `names`. Floats stay
         as they are; `json` makes those that JSON has no number for, NaN and infinities, None.
-        `device` is the id of the device, on which some names depend.
+        `device` is the id of the device, on which some names depend. Raises EncodeError if what has
+        names is not a number.
         """
         from .text import as_dict
 
@@ -111,7 +121,7 @@ class Described:
 
     def to_text(self, device: str | None = None) -> str:
         """One line with names, values and units, interpreted for a device; `str()` is for an
-        unknown device."""
+        unknown device. With values that cannot be sent it may be the same as `repr()`."""
         from .text import as_text
 
         return as_text(self, device)

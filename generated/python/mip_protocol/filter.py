@@ -2951,7 +2951,7 @@ class SensorToVehicleOffset(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, offset: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.offset = codec.vector(offset, types.Vector3f)
@@ -3061,7 +3061,7 @@ class AntennaOffset(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, offset: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.offset = codec.vector(offset, types.Vector3f)
@@ -3794,7 +3794,7 @@ class AccelNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, noise: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
@@ -3900,7 +3900,7 @@ class GyroNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, noise: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
@@ -4010,8 +4010,8 @@ class AccelBiasModel(Command[R]):
     def __init__(
         self,
         function: FunctionSelector,
-        beta: types.Vector3f | None | codec.Numbers = None,
-        noise: types.Vector3f | None | codec.Numbers = None,
+        beta: types.Vector3f | codec.Numbers | None = None,
+        noise: types.Vector3f | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.beta = codec.vector(beta, types.Vector3f)
@@ -4134,8 +4134,8 @@ class GyroBiasModel(Command[R]):
     def __init__(
         self,
         function: FunctionSelector,
-        beta: types.Vector3f | None | codec.Numbers = None,
-        noise: types.Vector3f | None | codec.Numbers = None,
+        beta: types.Vector3f | codec.Numbers | None = None,
+        noise: types.Vector3f | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.beta = codec.vector(beta, types.Vector3f)
@@ -4938,7 +4938,7 @@ class GravityNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, noise: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
@@ -5145,7 +5145,7 @@ class HardIronOffsetNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, noise: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
@@ -5250,7 +5250,7 @@ class SoftIronMatrixNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Matrix3f | None | codec.Rows = None
+        self, function: FunctionSelector, noise: types.Matrix3f | codec.Rows | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Matrix3f)
@@ -5459,7 +5459,7 @@ class MagNoise(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, noise: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.noise = codec.vector(noise, types.Vector3f)
@@ -6882,7 +6882,7 @@ class SensorToVehicleRotationDcm(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, dcm: types.Matrix3f | None | codec.Rows = None
+        self, function: FunctionSelector, dcm: types.Matrix3f | codec.Rows | None = None
     ) -> None:
         self.function = function
         self.dcm = codec.vector(dcm, types.Matrix3f)
@@ -6994,7 +6994,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, q: types.Quatf | None | codec.Numbers = None
+        self, function: FunctionSelector, q: types.Quatf | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.q = codec.vector(q, types.Quatf)
@@ -7460,8 +7460,8 @@ class InitializationConfig(Command[R]):
         initial_heading: float | None = None,
         initial_pitch: float | None = None,
         initial_roll: float | None = None,
-        initial_position: types.Vector3f | None | codec.Numbers = None,
-        initial_velocity: types.Vector3f | None | codec.Numbers = None,
+        initial_position: types.Vector3f | codec.Numbers | None = None,
+        initial_velocity: types.Vector3f | codec.Numbers | None = None,
         reference_frame_selector: ReferenceFrame | None = None,
     ) -> None:
         self.function = function
@@ -7811,7 +7811,7 @@ class MultiAntennaOffset(Command[R]):
         self,
         function: FunctionSelector,
         receiver_id: int | None = None,
-        antenna_offset: types.Vector3f | None | codec.Numbers = None,
+        antenna_offset: types.Vector3f | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.receiver_id = receiver_id
@@ -7949,7 +7949,7 @@ class RelativePositionConfig(Command[R]):
         function: FunctionSelector,
         source: RelativePositionSource | None = None,
         reference_frame_selector: ReferenceFrame | None = None,
-        reference_coordinates: types.Vector3d | None | codec.Numbers = None,
+        reference_coordinates: types.Vector3d | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.source = source
@@ -8097,7 +8097,7 @@ class ReferencePointLeverArm(Command[R]):
         self,
         function: FunctionSelector,
         reference_point: ReferencePoint | None = None,
-        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+        lever_arm_offset: types.Vector3f | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.reference_point = reference_point
@@ -8291,7 +8291,7 @@ class SpeedLeverArm(Command[R]):
         self,
         function: FunctionSelector,
         source: int | None = None,
-        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+        lever_arm_offset: types.Vector3f | codec.Numbers | None = None,
     ) -> None:
         self.function = function
         self.source = source

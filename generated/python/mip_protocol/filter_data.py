@@ -8,6 +8,7 @@ Estimates of the navigation filter and its status.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 
 from . import codec, types
@@ -3091,12 +3092,12 @@ class GnssPositionAidingStatus(Data):
         receiver_id: int,
         tow: float,
         status: GnssAidingStatus,
-        reserved: tuple[int, ...] = (0,) * 8,
+        reserved: Sequence[int] = (0,) * 8,
     ) -> None:
         self.receiver_id = receiver_id
         self.tow = tow
         self.status = status
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssPositionAidingStatus, int]:
@@ -3154,11 +3155,11 @@ class GnssAttitudeAidingStatus(Data):
     """Reserved. Reserved."""
 
     def __init__(
-        self, tow: float, status: GnssAidingStatus, reserved: tuple[int, ...] = (0,) * 8
+        self, tow: float, status: GnssAidingStatus, reserved: Sequence[int] = (0,) * 8
     ) -> None:
         self.tow = tow
         self.status = status
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
@@ -3211,11 +3212,11 @@ class HeadingAidingStatus(Data):
     """Reserved. Reserved."""
 
     def __init__(
-        self, tow: float, type: HeadingAidingType, reserved: tuple[float, float] = (0.0, 0.0)
+        self, tow: float, type: HeadingAidingType, reserved: Sequence[float] = (0.0, 0.0)
     ) -> None:
         self.tow = tow
         self.type = type
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:

@@ -7,6 +7,7 @@ Commands that describe and set up the internal GNSS receivers.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
@@ -137,8 +138,8 @@ class ReceiverInfoResponse(Response):
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
 
-    def __init__(self, receiver_info: tuple[ReceiverInfoEntry, ...]) -> None:
-        self.receiver_info = receiver_info
+    def __init__(self, receiver_info: Sequence[ReceiverInfoEntry]) -> None:
+        self.receiver_info = codec.several(receiver_info)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoResponse, int]:
@@ -206,13 +207,13 @@ class SignalConfigResponse(Response):
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+        reserved: Sequence[int] = (0, 0, 0, 0),
     ) -> None:
         self.gps_enable = gps_enable
         self.glonass_enable = glonass_enable
         self.galileo_enable = galileo_enable
         self.beidou_enable = beidou_enable
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
@@ -262,9 +263,9 @@ class RtkDongleConfigResponse(Response):
     reserved: tuple[int, int, int]
     """Reserved. Uncertain: What to send; 0 is assumed."""
 
-    def __init__(self, enable: int, reserved: tuple[int, int, int] = (0, 0, 0)) -> None:
+    def __init__(self, enable: int, reserved: Sequence[int] = (0, 0, 0)) -> None:
         self.enable = enable
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
@@ -364,19 +365,19 @@ class SpartnConfigResponse(Response):
         type: SpartnConnection,
         current_key_tow: int,
         current_key_week: int,
-        current_key: tuple[int, ...],
+        current_key: Sequence[int],
         next_key_tow: int,
         next_key_week: int,
-        next_key: tuple[int, ...],
+        next_key: Sequence[int],
     ) -> None:
         self.enable = enable
         self.type = type
         self.current_key_tow = current_key_tow
         self.current_key_week = current_key_week
-        self.current_key = current_key
+        self.current_key = codec.several(current_key)
         self.next_key_tow = next_key_tow
         self.next_key_week = next_key_week
-        self.next_key = next_key
+        self.next_key = codec.several(next_key)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigResponse, int]:
@@ -516,14 +517,14 @@ class SignalConfig(Command[R]):
         glonass_enable: GlonassSignals | None = None,
         galileo_enable: GalileoSignals | None = None,
         beidou_enable: BeidouSignals | None = None,
-        reserved: tuple[int, int, int, int] | None = None,
+        reserved: Sequence[int] | None = None,
     ) -> None:
         self.function = function
         self.gps_enable = gps_enable
         self.glonass_enable = glonass_enable
         self.galileo_enable = galileo_enable
         self.beidou_enable = beidou_enable
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def write(
@@ -676,11 +677,11 @@ class RtkDongleConfig(Command[R]):
         self,
         function: FunctionSelector,
         enable: int | None = None,
-        reserved: tuple[int, int, int] | None = None,
+        reserved: Sequence[int] | None = None,
     ) -> None:
         self.function = function
         self.enable = enable
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
 
     @classmethod
     def write(cls: ClassOf[RtkDongleConfig[Any]], enable: int) -> RtkDongleConfig[None]:
@@ -848,20 +849,20 @@ class SpartnConfig(Command[R]):
         type: SpartnConnection | None = None,
         current_key_tow: int | None = None,
         current_key_week: int | None = None,
-        current_key: tuple[int, ...] | None = None,
+        current_key: Sequence[int] | None = None,
         next_key_tow: int | None = None,
         next_key_week: int | None = None,
-        next_key: tuple[int, ...] | None = None,
+        next_key: Sequence[int] | None = None,
     ) -> None:
         self.function = function
         self.enable = enable
         self.type = type
         self.current_key_tow = current_key_tow
         self.current_key_week = current_key_week
-        self.current_key = current_key
+        self.current_key = codec.several(current_key)
         self.next_key_tow = next_key_tow
         self.next_key_week = next_key_week
-        self.next_key = next_key
+        self.next_key = codec.several(next_key)
 
     @classmethod
     def write(
@@ -870,10 +871,10 @@ class SpartnConfig(Command[R]):
         type: SpartnConnection,
         current_key_tow: int,
         current_key_week: int,
-        current_key: tuple[int, ...],
+        current_key: Sequence[int],
         next_key_tow: int,
         next_key_week: int,
-        next_key: tuple[int, ...],
+        next_key: Sequence[int],
     ) -> SpartnConfig[None]:
         """Apply the new setting."""
         return cls(

@@ -10,6 +10,7 @@ data sets the same fields.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 
 from . import codec, types
@@ -2276,12 +2277,12 @@ class RfErrorDetection(Data):
         spoofing_state: SpoofingState,
         valid_flags: RfErrorDetectionFlags,
         *,
-        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+        reserved: Sequence[int] = (0, 0, 0, 0),
     ) -> None:
         self.rf_band = rf_band
         self.jamming_state = jamming_state
         self.spoofing_state = spoofing_state
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
     @classmethod
@@ -2987,7 +2988,7 @@ class RtkCorrectionsStatus(Data):
         beidou_correction_latency: float,
         valid_flags: RtkCorrectionsStatusFlags,
         *,
-        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+        reserved: Sequence[int] = (0, 0, 0, 0),
     ) -> None:
         self.tow = tow
         self.week_number = week_number
@@ -2997,7 +2998,7 @@ class RtkCorrectionsStatus(Data):
         self.glonass_correction_latency = glonass_correction_latency
         self.galileo_correction_latency = galileo_correction_latency
         self.beidou_correction_latency = beidou_correction_latency
-        self.reserved = reserved
+        self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
     @classmethod
@@ -4831,14 +4832,14 @@ class GpsIonoCorrection(Data):
         self,
         tow: float,
         week_number: int,
-        alpha: tuple[float, float, float, float],
-        beta: tuple[float, float, float, float],
+        alpha: Sequence[float],
+        beta: Sequence[float],
         valid_flags: GpsIonoCorrectionFlags,
     ) -> None:
         self.tow = tow
         self.week_number = week_number
-        self.alpha = alpha
-        self.beta = beta
+        self.alpha = codec.several(alpha)
+        self.beta = codec.several(beta)
         self.valid_flags = valid_flags
 
     @classmethod
@@ -4917,13 +4918,13 @@ class GalileoIonoCorrection(Data):
         self,
         tow: float,
         week_number: int,
-        alpha: tuple[float, float, float],
+        alpha: Sequence[float],
         disturbance_flags: int,
         valid_flags: GalileoIonoCorrectionFlags,
     ) -> None:
         self.tow = tow
         self.week_number = week_number
-        self.alpha = alpha
+        self.alpha = codec.several(alpha)
         self.disturbance_flags = disturbance_flags
         self.valid_flags = valid_flags
 
@@ -5013,16 +5014,16 @@ class BeidouIonoCorrection(Data):
         self,
         tow: float,
         week_number: int,
-        alpha: tuple[float, float, float, float],
-        beta: tuple[float, float, float, float],
-        alpha_correction: tuple[float, ...],
+        alpha: Sequence[float],
+        beta: Sequence[float],
+        alpha_correction: Sequence[float],
         valid_flags: BeidouIonoCorrectionFlags,
     ) -> None:
         self.tow = tow
         self.week_number = week_number
-        self.alpha = alpha
-        self.beta = beta
-        self.alpha_correction = alpha_correction
+        self.alpha = codec.several(alpha)
+        self.beta = codec.several(beta)
+        self.alpha_correction = codec.several(alpha_correction)
         self.valid_flags = valid_flags
 
     @classmethod

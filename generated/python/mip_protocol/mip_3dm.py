@@ -8,6 +8,7 @@ Commands that set up the sensors, the outputs, the pins and the events of a devi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
@@ -438,8 +439,8 @@ class ImuMessageFormatResponse(Response):
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of Sensor data."""
 
-    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormatResponse, int]:
@@ -484,8 +485,8 @@ class GnssMessageFormatResponse(Response):
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of GNSS data."""
 
-    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
@@ -530,8 +531,8 @@ class FilterMessageFormatResponse(Response):
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of Filter data."""
 
-    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[types.DescriptorRate]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormatResponse, int]:
@@ -861,8 +862,8 @@ class NmeaMessageFormatResponse(Response):
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
-    def __init__(self, format_entries: tuple[types.NmeaMessage, ...]) -> None:
-        self.format_entries = format_entries
+    def __init__(self, format_entries: Sequence[types.NmeaMessage]) -> None:
+        self.format_entries = codec.several(format_entries)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormatResponse, int]:
@@ -952,9 +953,9 @@ class MessageFormatResponse(Response):
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of `descriptor_set`."""
 
-    def __init__(self, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> None:
+    def __init__(self, descriptor_set: int, descriptors: Sequence[types.DescriptorRate]) -> None:
         self.descriptor_set = descriptor_set
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
@@ -3108,11 +3109,11 @@ class ConstellationSettingsResponse(Response):
         self,
         max_channels_available: int,
         max_channels_use: int,
-        settings: tuple[ConstellationSettingsEntry, ...],
+        settings: Sequence[ConstellationSettingsEntry],
     ) -> None:
         self.max_channels_available = max_channels_available
         self.max_channels_use = max_channels_use
-        self.settings = settings
+        self.settings = codec.several(settings)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
@@ -3169,11 +3170,11 @@ class GnssSbasSettingsResponse(Response):
     """PRN numbers of the SBAS satellites to search for."""
 
     def __init__(
-        self, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
+        self, enable_sbas: int, sbas_options: SbasOptions, included_prns: Sequence[int]
     ) -> None:
         self.enable_sbas = enable_sbas
         self.sbas_options = sbas_options
-        self.included_prns = included_prns
+        self.included_prns = codec.several(included_prns)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettingsResponse, int]:
@@ -3494,11 +3495,11 @@ class GetEventSupportResponse(Response):
     """
 
     def __init__(
-        self, query: EventSupportQuery, max_instances: int, entries: tuple[EventSupportInfo, ...]
+        self, query: EventSupportQuery, max_instances: int, entries: Sequence[EventSupportInfo]
     ) -> None:
         self.query = query
         self.max_instances = max_instances
-        self.entries = entries
+        self.entries = codec.several(entries)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
@@ -3586,8 +3587,8 @@ class GetEventTriggerStatusResponse(Response):
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the requested order, or by instance if all were requested."""
 
-    def __init__(self, triggers: tuple[EventTriggerStatusEntry, ...]) -> None:
-        self.triggers = triggers
+    def __init__(self, triggers: Sequence[EventTriggerStatusEntry]) -> None:
+        self.triggers = codec.several(triggers)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatusResponse, int]:
@@ -3631,8 +3632,8 @@ class GetEventActionStatusResponse(Response):
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the requested order, or by instance if all were requested."""
 
-    def __init__(self, actions: tuple[EventActionStatusEntry, ...]) -> None:
-        self.actions = actions
+    def __init__(self, actions: Sequence[EventActionStatusEntry]) -> None:
+        self.actions = codec.several(actions)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatusResponse, int]:
@@ -4042,9 +4043,9 @@ class GetCalibratedSensorRangesResponse(Response):
     - If `sensor` is `SensorRangeType.PRESSURE`: `range` has unit mbar.
     """
 
-    def __init__(self, sensor: SensorRangeType, ranges: tuple[SensorRangeEntry, ...]) -> None:
+    def __init__(self, sensor: SensorRangeType, ranges: Sequence[SensorRangeEntry]) -> None:
         self.sensor = sensor
-        self.ranges = ranges
+        self.ranges = codec.several(ranges)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
@@ -4171,9 +4172,9 @@ class PollImuData(Command[None]):
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of Sensor data."""
 
-    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+    def __init__(self, suppress_ack: bool, descriptors: Sequence[PollEntry]) -> None:
         self.suppress_ack = suppress_ack
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @property
     def answered(self) -> bool:
@@ -4235,9 +4236,9 @@ class PollGnssData(Command[None]):
     of the reserved number and does not say how a poll uses it.
     """
 
-    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+    def __init__(self, suppress_ack: bool, descriptors: Sequence[PollEntry]) -> None:
         self.suppress_ack = suppress_ack
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @property
     def answered(self) -> bool:
@@ -4295,9 +4296,9 @@ class PollFilterData(Command[None]):
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of Filter data."""
 
-    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+    def __init__(self, suppress_ack: bool, descriptors: Sequence[PollEntry]) -> None:
         self.suppress_ack = suppress_ack
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @property
     def answered(self) -> bool:
@@ -4355,9 +4356,9 @@ class PollNmeaData(Command[None]):
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
-    def __init__(self, suppress_ack: bool, format_entries: tuple[types.NmeaMessage, ...]) -> None:
+    def __init__(self, suppress_ack: bool, format_entries: Sequence[types.NmeaMessage]) -> None:
         self.suppress_ack = suppress_ack
-        self.format_entries = format_entries
+        self.format_entries = codec.several(format_entries)
 
     @property
     def answered(self) -> bool:
@@ -4479,16 +4480,14 @@ class ImuMessageFormat(Command[R]):
     """Fields and decimations. Refers to fields of Sensor data. Required for `write`."""
 
     def __init__(
-        self,
-        function: FunctionSelector,
-        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+        self, function: FunctionSelector, descriptors: Sequence[types.DescriptorRate] | None = None
     ) -> None:
         self.function = function
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def write(
-        cls: ClassOf[ImuMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+        cls: ClassOf[ImuMessageFormat[Any]], descriptors: Sequence[types.DescriptorRate]
     ) -> ImuMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
@@ -4594,16 +4593,14 @@ class GnssMessageFormat(Command[R]):
     """Fields and decimations. Refers to fields of GNSS data. Required for `write`."""
 
     def __init__(
-        self,
-        function: FunctionSelector,
-        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+        self, function: FunctionSelector, descriptors: Sequence[types.DescriptorRate] | None = None
     ) -> None:
         self.function = function
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def write(
-        cls: ClassOf[GnssMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+        cls: ClassOf[GnssMessageFormat[Any]], descriptors: Sequence[types.DescriptorRate]
     ) -> GnssMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
@@ -4710,16 +4707,14 @@ class FilterMessageFormat(Command[R]):
     """Fields and decimations. Refers to fields of Filter data. Required for `write`."""
 
     def __init__(
-        self,
-        function: FunctionSelector,
-        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+        self, function: FunctionSelector, descriptors: Sequence[types.DescriptorRate] | None = None
     ) -> None:
         self.function = function
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def write(
-        cls: ClassOf[FilterMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+        cls: ClassOf[FilterMessageFormat[Any]], descriptors: Sequence[types.DescriptorRate]
     ) -> FilterMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
@@ -4855,16 +4850,14 @@ class NmeaMessageFormat(Command[R]):
     """Sentences to stream. Required for `write`."""
 
     def __init__(
-        self,
-        function: FunctionSelector,
-        format_entries: tuple[types.NmeaMessage, ...] | None = None,
+        self, function: FunctionSelector, format_entries: Sequence[types.NmeaMessage] | None = None
     ) -> None:
         self.function = function
-        self.format_entries = format_entries
+        self.format_entries = codec.several(format_entries)
 
     @classmethod
     def write(
-        cls: ClassOf[NmeaMessageFormat[Any]], format_entries: tuple[types.NmeaMessage, ...]
+        cls: ClassOf[NmeaMessageFormat[Any]], format_entries: Sequence[types.NmeaMessage]
     ) -> NmeaMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, format_entries=format_entries)
@@ -4968,12 +4961,10 @@ class PollData(Command[None]):
     descriptors: tuple[int, ...]
     """Field descriptors. Refers to fields of `descriptor_set`."""
 
-    def __init__(
-        self, descriptor_set: int, suppress_ack: bool, descriptors: tuple[int, ...]
-    ) -> None:
+    def __init__(self, descriptor_set: int, suppress_ack: bool, descriptors: Sequence[int]) -> None:
         self.descriptor_set = descriptor_set
         self.suppress_ack = suppress_ack
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @property
     def answered(self) -> bool:
@@ -5088,17 +5079,17 @@ class MessageFormat(Command[R]):
         self,
         function: FunctionSelector,
         descriptor_set: int | None = None,
-        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+        descriptors: Sequence[types.DescriptorRate] | None = None,
     ) -> None:
         self.function = function
         self.descriptor_set = descriptor_set
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def write(
         cls: ClassOf[MessageFormat[Any]],
         descriptor_set: int,
-        descriptors: tuple[types.DescriptorRate, ...],
+        descriptors: Sequence[types.DescriptorRate],
     ) -> MessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
@@ -5409,17 +5400,17 @@ class ConstellationSettings(Command[R]):
         self,
         function: FunctionSelector,
         max_channels: int | None = None,
-        settings: tuple[ConstellationSettingsEntry, ...] | None = None,
+        settings: Sequence[ConstellationSettingsEntry] | None = None,
     ) -> None:
         self.function = function
         self.max_channels = max_channels
-        self.settings = settings
+        self.settings = codec.several(settings)
 
     @classmethod
     def write(
         cls: ClassOf[ConstellationSettings[Any]],
         max_channels: int,
-        settings: tuple[ConstellationSettingsEntry, ...],
+        settings: Sequence[ConstellationSettingsEntry],
     ) -> ConstellationSettings[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
@@ -5551,19 +5542,19 @@ class GnssSbasSettings(Command[R]):
         function: FunctionSelector,
         enable_sbas: int | None = None,
         sbas_options: SbasOptions | None = None,
-        included_prns: tuple[int, ...] | None = None,
+        included_prns: Sequence[int] | None = None,
     ) -> None:
         self.function = function
         self.enable_sbas = enable_sbas
         self.sbas_options = sbas_options
-        self.included_prns = included_prns
+        self.included_prns = codec.several(included_prns)
 
     @classmethod
     def write(
         cls: ClassOf[GnssSbasSettings[Any]],
         enable_sbas: int,
         sbas_options: SbasOptions,
-        included_prns: tuple[int, ...],
+        included_prns: Sequence[int],
     ) -> GnssSbasSettings[None]:
         """Apply the new setting."""
         return cls(
@@ -6199,8 +6190,8 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
-    def __init__(self, requested_instances: tuple[int, ...]) -> None:
-        self.requested_instances = requested_instances
+    def __init__(self, requested_instances: Sequence[int]) -> None:
+        self.requested_instances = codec.several(requested_instances)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatus, int]:
@@ -6251,8 +6242,8 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     requested_instances: tuple[int, ...]
     """Action instances."""
 
-    def __init__(self, requested_instances: tuple[int, ...]) -> None:
-        self.requested_instances = requested_instances
+    def __init__(self, requested_instances: Sequence[int]) -> None:
+        self.requested_instances = codec.several(requested_instances)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatus, int]:
@@ -6885,7 +6876,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, q: types.Quatf | None | codec.Numbers = None
+        self, function: FunctionSelector, q: types.Quatf | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.q = codec.vector(q, types.Quatf)
@@ -7001,7 +6992,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, dcm: types.Matrix3f | None | codec.Rows = None
+        self, function: FunctionSelector, dcm: types.Matrix3f | codec.Rows | None = None
     ) -> None:
         self.function = function
         self.dcm = codec.vector(dcm, types.Matrix3f)
@@ -7111,7 +7102,7 @@ class AccelBias(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, bias: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.bias = codec.vector(bias, types.Vector3f)
@@ -7230,7 +7221,7 @@ class GyroBias(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, bias: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.bias = codec.vector(bias, types.Vector3f)
@@ -7398,7 +7389,7 @@ class MagHardIronOffset(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, offset: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.offset = codec.vector(offset, types.Vector3f)
@@ -7519,7 +7510,7 @@ class MagSoftIronMatrix(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, matrix: types.Matrix3f | None | codec.Rows = None
+        self, function: FunctionSelector, matrix: types.Matrix3f | codec.Rows | None = None
     ) -> None:
         self.function = function
         self.matrix = codec.vector(matrix, types.Matrix3f)

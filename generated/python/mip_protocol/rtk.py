@@ -10,6 +10,7 @@ Uncertain: How the strings are padded or ended.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
@@ -855,13 +856,13 @@ class LedControl(Command[None]):
 
     def __init__(
         self,
-        primary_color: tuple[int, int, int],
-        alternate_color: tuple[int, int, int],
+        primary_color: Sequence[int],
+        alternate_color: Sequence[int],
         action: LedAction,
         period: int,
     ) -> None:
-        self.primary_color = primary_color
-        self.alternate_color = alternate_color
+        self.primary_color = codec.several(primary_color)
+        self.alternate_color = codec.several(alternate_color)
         self.action = action
         self.period = period
 

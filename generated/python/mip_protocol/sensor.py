@@ -8,6 +8,7 @@ Inertial, magnetic and pressure measurements, and the attitude of the complement
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 
 from . import codec, types
@@ -604,8 +605,8 @@ class OrientationRawTemperature(Data):
     raw_temperature: tuple[int, int, int, int]
     """Temperatures in counts. Unit: 1. Uncertain: The scale, and which sensor is which."""
 
-    def __init__(self, raw_temperature: tuple[int, int, int, int]) -> None:
-        self.raw_temperature = raw_temperature
+    def __init__(self, raw_temperature: Sequence[int]) -> None:
+        self.raw_temperature = codec.several(raw_temperature)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:

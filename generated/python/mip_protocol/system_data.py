@@ -7,6 +7,7 @@ State of the device as a whole.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 
 from . import codec
@@ -61,8 +62,8 @@ class BuiltInTest(Data):
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
-    def __init__(self, result: tuple[int, ...]) -> None:
-        self.result = result
+    def __init__(self, result: Sequence[int]) -> None:
+        self.result = codec.several(result)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:

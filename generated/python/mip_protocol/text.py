@@ -10,6 +10,7 @@ from math import isfinite
 from struct import pack
 from typing import Any, NamedTuple
 
+from .codec import with_article
 from .described import Described
 from .errors import EncodeError
 from .parameter import Parameter
@@ -31,23 +32,27 @@ class Item(NamedTuple):
 
 
 def meant(p: Parameter, value: Any) -> Any:
-    """A value as the enumeration or bitfield of its parameter, each item of an array; others unchanged."""
+    """A value as the enumeration or bitfield of its parameter, each item of an array; others unchanged.
+
+    Raises EncodeError for what is not a number.
+    """
     kind = p.type
     if value is None or not isinstance(kind, type) or not issubclass(kind, (IntEnum, IntFlag)):
         return value
-    if not _several(value):
-        return kind(value)
-    if p.scalar == "u8" and issubclass(kind, IntFlag) and _bits(kind)[1] > 0xFF:
-        try:
+    needs = with_article(kind)
+    try:
+        if not _several(value):
+            return kind(value)
+        if p.scalar == "u8" and issubclass(kind, IntFlag) and _bits(kind)[1] > 0xFF:
+            needs = "numbers from 0 to 255"
             return kind(int.from_bytes(bytes(value), "little"))  # an array of bytes holds it
-        except (TypeError, ValueError):
-            wrong = f"{p.attribute} is {value!r}, needs numbers from 0 to 255"
-            raise EncodeError("range", wrong) from None
-    return tuple(map(kind, value))
+        return tuple(map(kind, value))
+    except (TypeError, ValueError):
+        raise EncodeError("range", f"{p.attribute} is {value!r}, needs {needs}") from None
 
 
 def _several(value: object) -> bool:
-    return hasattr(value, "__iter__") and not isinstance(value, (str, bytes, int))
+    return hasattr(value, "__len__") and not isinstance(value, (str, bytes, int))
 
 
 @lru_cache(maxsize=256)
@@ -114,11 +119,12 @@ def _plain(
     value = meant(p, value) if names else value
     if isinstance(p.type, type) and issubclass(p.type, Described):
         inside = p.inside(holder, device) if p.variants else None
-        many = value if _several(value) else (value,)
+        alone = p.length is None or not _several(value)
         dicts = [
-            as_dict(x, names, json, device, inside) if isinstance(x, Described) else x for x in many
+            as_dict(x, names, json, device, inside) if isinstance(x, Described) else x
+            for x in ((value,) if alone else value)
         ]
-        return dicts if p.length is not None else dicts[0]
+        return dicts[0] if alone else dicts
     if p.elements and _several(value):
         vectors = value if p.length is not None else (value,)
         made = [_vector(p, x, names, json) for x in vectors]
@@ -130,7 +136,8 @@ def _plain(
 
 def _case(p: Parameter, holder: Described) -> Parameter | None:
     """The alternative of a union that is present."""
-    return p.cases.get(getattr(holder, p.tag))
+    tag = getattr(holder, p.tag)
+    return p.cases.get(tag) if isinstance(tag, int) else None
 
 
 def _vector(p: Parameter, value: Any, names: bool, json: bool) -> Any:
@@ -162,9 +169,12 @@ def as_text(holder: Described, device: str | None) -> str:
         name = holder.INFO.name
     except AttributeError:
         return repr(holder)  # a class of the user's own
+    try:
+        known = items(holder, device)
+    except EncodeError:
+        return repr(holder)  # with values that cannot be sent
     found = ", ".join(
-        f"{item.parameter.name} = {item.text}{'' if item.valid else ' (invalid)'}"
-        for item in items(holder, device)
+        f"{item.parameter.name} = {item.text}{'' if item.valid else ' (invalid)'}" for item in known
     )
     return f"{name}: {found}" if found else name
 
@@ -198,7 +208,7 @@ def _text(p: Parameter, value: Any, holder: Described | None, device: str | None
     value = meant(p, value)
     if isinstance(p.type, type) and issubclass(p.type, Described):
         inside = p.inside(holder, device) if p.variants and holder is not None else None
-        if p.length is None:
+        if p.length is None or not _several(value):
             return _structure(value, device, inside)
         return _list(_structure(x, device, inside) for x in value)
     if p.elements and _several(value):

@@ -7,6 +7,7 @@ if __name__ == "types":
         "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
     )
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any, NamedTuple, SupportsIndex, overload
 
@@ -479,9 +480,9 @@ class EventTriggerCombination(Structure):
     itself; its value is then the output of the previous event cycle.
     """
 
-    def __init__(self, logic_table: int, input_triggers: tuple[int, int, int, int]) -> None:
+    def __init__(self, logic_table: int, input_triggers: Sequence[int]) -> None:
         self.logic_table = logic_table
-        self.input_triggers = input_triggers
+        self.input_triggers = codec.several(input_triggers)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerCombination, int]:
@@ -556,10 +557,10 @@ class EventActionMessage(Structure):
     descriptors: tuple[int, ...]
     """Field descriptors, in order. Refers to fields of `descriptor_set`."""
 
-    def __init__(self, descriptor_set: int, decimation: int, descriptors: tuple[int, ...]) -> None:
+    def __init__(self, descriptor_set: int, decimation: int, descriptors: Sequence[int]) -> None:
         self.descriptor_set = descriptor_set
         self.decimation = decimation
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:

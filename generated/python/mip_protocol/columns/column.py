@@ -74,8 +74,11 @@ class Column(Generic[F]):
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)
 
-    def __getitem__(self, name: str) -> Values:
-        """The values of a parameter. Raises KeyError if there is none of that name."""
+    def __getitem__(self, name: str) -> Array | Any:
+        """The values of a parameter: an array, or a `Ragged` if their number varies.
+
+        Raises KeyError if there is none of that name.
+        """
         try:
             return self._values[name]
         except KeyError:

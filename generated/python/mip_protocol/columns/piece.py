@@ -32,6 +32,12 @@ class Piece:
             self._sets = self.data[self.at + 2]
         return self._sets
 
+    def bare(self) -> Piece:
+        """The same without the fields."""
+        found = Piece(self.begin, self.size, self.number, self.at, self.end)
+        found._sets = self._sets
+        return found
+
 
 class Where:
     """Where the rows of a column come from; what is not asked for is not computed."""
@@ -51,6 +57,10 @@ class Where:
     def keep(self, right: Array | None) -> None:
         """Keeps some of the rows."""
         self._right = right
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What copies of a column need."""
+        return self.__dict__ | {"_rows": [(piece.bare(), packet) for piece, packet in self._rows]}
 
     def packet(self) -> Array:
         """The numbers of the packets in the log."""

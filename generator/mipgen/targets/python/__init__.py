@@ -33,7 +33,7 @@ def files(model: m.Model) -> Iterator[File]:
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
-    for name in ("_clocks", "_index", "_sets", "types", "protocol", "devices"):
+    for name in ("__init__", "_clocks", "_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
     protocol = model.protocol
     yield _meaning("types", model.types)

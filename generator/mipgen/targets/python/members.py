@@ -28,10 +28,15 @@ def is_shared(f: m.Field) -> bool:
 def annotation(p: m.Parameter, record: Record) -> str:
     """The type of a parameter's value, where it is there."""
     one = _one(p, record)
-    if p.length is None or one == "str":
+    if not is_array(p):
         return one
     few = few_elements(p)
     return f"tuple[{', '.join([one] * few)}]" if few else f"tuple[{one}, ...]"
+
+
+def is_array(p: m.Parameter) -> bool:
+    """Has it several elements, in a tuple? Text has none."""
+    return p.length is not None and not (isinstance(p.element, m.Scalar) and p.element.kind == "char")
 
 
 def few_elements(p: m.Parameter) -> int:
@@ -102,21 +107,26 @@ def initial(record: Record) -> list[str]:
 
 
 def accepted(p: m.Parameter, record: Record) -> str:
-    """What a caller may give for a member: vectors can be made of any numbers."""
-    said = hint(p, record)
+    """What a caller may give for a member."""
+    one = _needed(p, record)
+    return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
+
+
+def _needed(p: m.Parameter, record: Record) -> str:
+    """The same for a member that is there: vectors can be made of any numbers, arrays of any sequence."""
     kinds = vectors(p)
-    if not kinds:
-        return said
     numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
-    return f"{said} | Sequence[{numbers}]" if p.length is not None else f"{said} | {numbers}"
+    if is_array(p):
+        return f"Sequence[{f'{_one(p, record)} | {numbers}' if kinds else _one(p, record)}]"
+    return f"{annotation(p, record)} | {numbers}" if kinds else annotation(p, record)
 
 
 def kept(p: m.Parameter, record: Record) -> str:
     """What the object holds of what a caller gave."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
-    if not kinds:
-        return name
-    return f"codec.{'vector' if p.length is None else 'vectors'}({name}, {kinds})"
+    if kinds:
+        return f"codec.{'vectors' if is_array(p) else 'vector'}({name}, {kinds})"
+    return f"codec.several({name})" if is_array(p) else name
 
 
 def vectors(p: m.Parameter) -> list[m.Vector]:
@@ -177,12 +187,6 @@ def parameters(call: m.Call, record: m.Field) -> list[str]:
     """The parameters of the constructor for a function: the required ones, then the optional ones."""
     asked = [f"{member(p.name)}: {_needed(p, record)}" for p in call.asked if not p.derived]
     return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in _free(call.optional)]
-
-
-def _needed(p: m.Parameter, record: m.Field) -> str:
-    """What a caller may give for a member that is there."""
-    said = accepted(p, record)
-    return said.replace(hint(p, record), annotation(p, record), 1)
 
 
 def arguments(call: m.Call) -> list[str]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
+from typing import Any
 
 from ._index import DEVICES, FIELDS, SETS
 from .errors import UnknownName
@@ -17,7 +18,7 @@ NOISE = frozenset(("mip", "data", "command", "commands"))
 
 def field(name: str) -> type[Field]:
     """The type of a field; see `registry.by_name`."""
-    found = _named(name)
+    found = _named(_checked(name, "a field"))
     if len(found) == 1:
         set, kind = FIELDS[found[0]][:2]
         kind_: type[Field] = getattr(import_module(f".{set}", __package__), kind)
@@ -25,6 +26,12 @@ def field(name: str) -> type[Field]:
     if found:
         raise ambiguous(name, found)
     raise unknown(name, "a field", FIELDS, _near(name))
+
+
+def _checked(name: Any, what: str) -> str:
+    if isinstance(name, str):
+        return name
+    raise UnknownName("unknown_name", f"{name!r} is not the name of {what}")
 
 
 def _named(name: str) -> tuple[str, ...]:
@@ -85,6 +92,7 @@ def _near(name: str) -> list[str]:
 
 def set_number(name: str) -> int:
     """The number of a descriptor set; see `registry.set_by_name`."""
+    _checked(name, "a descriptor set")
     try:
         number = int(name, 16) if name.lower().startswith("0x") else None
     except ValueError:
@@ -100,14 +108,32 @@ def set_number(name: str) -> int:
 
 @cache
 def device_id(name: str) -> str:
-    """The id of a device, of its id, its title or another name."""
-    if name in DEVICES:
-        return name
-    wanted = _joined(name)
+    """The id of a device, of its id, its title or another name, or the last words of one."""
+    wanted = _joined(_checked(name, "a device"))
     for id, names in DEVICES.items():
         if wanted in map(_joined, (id, *names)):
             return id
-    raise unknown(name, "a device", DEVICES)
+    from difflib import get_close_matches
+
+    keys = _ends()
+    found = keys.get(wanted, ())
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise ambiguous(name, found)
+    close = get_close_matches(wanted, keys, n=4)
+    raise unknown(name, "a device", DEVICES, dict.fromkeys(id for k in close for id in keys[k]))
+
+
+@cache
+def _ends() -> dict[str, tuple[str, ...]]:
+    """The last words of the names of devices ("gx5-45", "45") -> their ids."""
+    found: dict[str, dict[str, None]] = {}
+    for id, names in DEVICES.items():
+        for words in map(_words, (id, *names)):
+            for first in range(1, len(words)):
+                found.setdefault("".join(words[first:]), {})[id] = None
+    return {end: tuple(ids) for end, ids in found.items()}
 
 
 def unknown(
@@ -117,7 +143,7 @@ def unknown(
     from difflib import get_close_matches
 
     known = list(known)
-    close = tuple(get_close_matches(name, known, n=4) if near is None else near)
+    close = tuple(get_close_matches(name, known, n=4) if near is None else near)[:4]
     few = tuple(known) if len(known) <= 8 else ()
     hint = f"did you mean {_either(close)}?" if close else f"known: {', '.join(few)}" if few else ""
     text = f"{name!r} is not {what}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import inspect
+import os
 import re
 import selectors
 import socket
@@ -86,7 +87,7 @@ class SocketPort:
             return bool(selector.select(seconds))
 
 
-def open_url(url: str, baud: int) -> Any:
+def open_url(url: str | os.PathLike[str], baud: int) -> Any:
     """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial
     supports.
 
@@ -97,6 +98,7 @@ def open_url(url: str, baud: int) -> Any:
         raise TypeError(f"baud rate {baud!r}: needs a whole number, as in 115200")
     if baud < 1:
         raise ValueError(f"baud rate {baud}: at least 1")
+    url = os.fspath(url)
     host = address(url)
     if host is not None:
         return SocketPort(socket.create_connection(host, CONNECT_TIMEOUT))
@@ -115,8 +117,9 @@ def open_url(url: str, baud: int) -> Any:
         raise OSError(errno.EBUSY, IN_USE, url) from error
 
 
-def address(url: str) -> tuple[str, int] | None:
+def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
     """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises ValueError."""
+    url = os.fspath(url)
     scheme, separator, rest = url.partition("://")
     if not separator and _HOST.fullmatch(url):
         scheme, separator, rest = "socket", "://", url

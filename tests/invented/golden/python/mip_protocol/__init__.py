@@ -32,11 +32,16 @@ from .protocol import VERSION, AckCode, Acknowledge, FunctionSelector
 # For type checkers and editors; otherwise modules are imported when they are first used.
 if TYPE_CHECKING:
     from . import aio as aio
+    from . import copy as copy
     from . import devices as devices
+    from . import measurements as measurements
+    from . import mip_3d as mip_3d
+    from . import more as more
     from . import reflection as reflection
     from . import registry as registry
+    from . import shared as shared
+    from . import tools as tools
     from . import types as types
-    from ._sets import *  # noqa: F403
     from .baud import detect_baud
     from .client import Answer, Client, Outcome, Received, Skipped, TimedOut
     from .columns import read_log as read_log  # not in __all__, as it needs NumPy

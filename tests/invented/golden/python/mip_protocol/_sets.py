@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from . import copy, measurements, mip_3d, more, shared, tools
-
 #: Descriptor set -> module of this package.
 MODULES: dict[int, str] = {
     0x01: "tools",
@@ -17,4 +12,4 @@ MODULES: dict[int, str] = {
     0xFF: "shared",
 }
 
-__all__ = ["MODULES", "tools", "mip_3d", "measurements", "more", "copy", "shared"]
+__all__ = ["MODULES"]

@@ -11,6 +11,7 @@ reads the data; each data packet goes to only one of the readers.
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 import time
@@ -450,7 +451,7 @@ def lost(error: BaseException) -> PortClosed:
 
 
 def open_port(
-    url: str,
+    url: str | os.PathLike[str],
     baud: int | None = USUAL,
     *,
     timeout: float = 1.0,
@@ -473,7 +474,9 @@ def open_port(
     return device
 
 
-def connect(url: str, baud: int | None, wanted: Callable[[], bool] = lambda: True) -> Any:
+def connect(
+    url: str | os.PathLike[str], baud: int | None, wanted: Callable[[], bool] = lambda: True
+) -> Any:
     """The port of this URL, at the baud rate of the device. It is not searched any longer when it is
     not `wanted` any more."""
     port = open_url(url, USUAL if baud is None else baud)

@@ -228,7 +228,7 @@ def find(name: str) -> Device | None:
 
 
 def by_name(name: str) -> Device:
-    """The same for any spelling ("gx5 15"); raises UnknownName, which gives the nearest names."""
+    """The same for any spelling, or for its last words ("gx5 15"); raises UnknownName, which gives the nearest names."""
     return DEVICES[device_id(name)]
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 from .codec import typed, vector
 from .described import Described, help_of
 from .errors import DecodeError, EncodeError
-from .packet import Packet, PacketBuilder, RawField
+from .packet import Packet, PacketBuilder, RawField, as_bytes
 
 if TYPE_CHECKING:
     import dataclasses
@@ -164,15 +164,16 @@ class Field(Structure):
             raise typed(self, error) from None
 
     @classmethod
-    def decode(cls: type[F], data: bytes) -> F:
+    def decode(cls: type[F], data: bytes | bytearray | memoryview) -> F:
         """The values of a field's data. Raises DecodeError; bytes left over are not an error."""
-        return cls._read(data, 0)[0]
+        return cls._read(data if type(data) is bytes else as_bytes(data), 0)[0]
 
     @classmethod
-    def decode_with_trailing(cls: type[F], data: bytes) -> tuple[F, int]:
+    def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
         """The values, and how many bytes are left over (newer devices send more)."""
-        value, end = cls._read(data, 0)
-        return value, len(data) - end
+        raw = data if type(data) is bytes else as_bytes(data)
+        value, end = cls._read(raw, 0)
+        return value, len(raw) - end
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -209,7 +210,7 @@ class Field(Structure):
     @classmethod
     def _received(cls: type[F], raw: RawField) -> F:
         """The values of a field of a packet."""
-        return cls.decode(raw.data)
+        return cls._read(raw.data, 0)[0]
 
 
 class Shared(Field):
@@ -227,7 +228,7 @@ class Shared(Field):
 
     @classmethod
     def _received(cls: type[H], raw: RawField) -> H:
-        found = cls.decode(raw.data)
+        found = cls._read(raw.data, 0)[0]
         found._packet_set = raw.set
         return found
 

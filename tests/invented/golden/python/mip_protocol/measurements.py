@@ -376,19 +376,19 @@ class Arrays(Data):
 
     def __init__(
         self,
-        modes: tuple[types.Mode, ...],
-        flags: tuple[types.StateFlags, ...],
-        vectors: tuple[types.Vector3f, types.Vector3f] | Sequence[codec.Numbers],
-        points: tuple[types.Point, ...],
+        modes: Sequence[types.Mode],
+        flags: Sequence[types.StateFlags],
+        vectors: Sequence[types.Vector3f | codec.Numbers],
+        points: Sequence[types.Point],
         track: types.Segment,
-        offsets: tuple[int, int, int, int] = (0, 0, 0, 0),
+        offsets: Sequence[int] = (0, 0, 0, 0),
     ) -> None:
-        self.modes = modes
-        self.flags = flags
+        self.modes = codec.several(modes)
+        self.flags = codec.several(flags)
         self.vectors = codec.vectors(vectors, types.Vector3f)
-        self.points = points
+        self.points = codec.several(points)
         self.track = track
-        self.offsets = offsets
+        self.offsets = codec.several(offsets)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Arrays, int]:
@@ -542,13 +542,13 @@ class Radio(Data):
         strength: int,
         noise: float,
         gap: float = 0.0,
-        gaps: tuple[float, float] = (0.0, 0.0),
+        gaps: Sequence[float] = (0.0, 0.0),
     ) -> None:
         self.connected = connected
         self.strength = strength
         self.noise = noise
         self.gap = gap
-        self.gaps = gaps
+        self.gaps = codec.several(gaps)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Radio, int]:
@@ -600,8 +600,8 @@ class Cloud(Data):
     stamp: int
     """Behind an array that fills the field. Unit: s."""
 
-    def __init__(self, points: tuple[types.Point, ...], stamp: int) -> None:
-        self.points = points
+    def __init__(self, points: Sequence[types.Point], stamp: int) -> None:
+        self.points = codec.several(points)
         self.stamp = stamp
 
     @classmethod

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from operator import index
+from typing import Any, NamedTuple
 
 from .checks import checksum
 from .errors import DecodeError, EncodeError, PacketError
@@ -21,8 +22,20 @@ __all__ = [
     "PacketBuilder",
     "RawField",
     "Undecoded",
+    "as_bytes",
     "checksum",
 ]
+
+
+def as_bytes(data: Any) -> bytes:
+    """The bytes of any buffer. Raises TypeError for text and for lists of numbers, with the remedy."""
+    try:
+        return bytes(memoryview(data))
+    except TypeError:
+        is_text, is_list = isinstance(data, str), isinstance(data, (list, tuple))
+        remedy = f"; write bytes{'.fromhex' * is_text}({data!r})" if is_text or is_list else ""
+        kind = "text" if is_text else type(data).__name__
+        raise TypeError(f"needs bytes, not {kind}{remedy}") from None
 
 
 class RawField(NamedTuple):
@@ -68,10 +81,9 @@ class Packet:
 
     __slots__ = ("_data",)
 
-    def __init__(self, data: bytes) -> None:
+    def __init__(self, data: bytes | bytearray | memoryview) -> None:
         """Raises PacketError of kind `sync`, `length` or `checksum`."""
-        if isinstance(data, str):
-            raise TypeError(f"needs bytes, not text; write Packet(bytes.fromhex({data!r}))")
+        data = data if type(data) is bytes else as_bytes(data)  # a bytearray may change later
         if data[:2] != SYNC:
             raise PacketError("sync", f"begins with {data[:2].hex() or 'nothing'}, not with 7565")
         if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] == 0:
@@ -79,7 +91,7 @@ class Packet:
         if checksum(data[:-2]) != data[-2:]:
             right = checksum(data[:-2]).hex()
             raise PacketError("checksum", f"{data[-2:].hex()} should be {right}")
-        self._data = bytes(data)  # a bytearray may change later
+        self._data = data
 
     @classmethod
     def _trusted(cls, data: bytes) -> Packet:
@@ -151,19 +163,27 @@ class PacketBuilder:
     """
 
     def __init__(self, set: int) -> None:
-        if not 1 <= set <= 254:
-            raise EncodeError("range", f"{set} is not a descriptor set; use 1 to 254")
-        self._set = set
+        try:
+            self._set = index(set)
+        except TypeError:
+            self._set = 0
+        if not 1 <= self._set <= 254:
+            raise EncodeError("range", f"{set!r} is not a descriptor set; use 1 to 254")
         self._payload = bytearray()
 
-    def add(self, descriptor: int, data: bytes = b"") -> PacketBuilder:
+    def add(self, descriptor: int, data: bytes | bytearray | memoryview = b"") -> PacketBuilder:
         """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not fit."""
-        if not 0 <= descriptor <= 255:
-            raise EncodeError("range", f"{descriptor} is not a descriptor")
+        try:
+            number = index(descriptor)
+        except TypeError:
+            number = -1
+        if not 0 <= number <= 255:
+            raise EncodeError("range", f"{descriptor!r} is not a descriptor; use 0 to 255")
+        data = data if type(data) is bytes else as_bytes(data)
         size = len(data) + 2
         if size > 255 or len(self._payload) + size > MAX_PAYLOAD:
             raise EncodeError("length", f"{size} bytes more do not fit into a payload of 255")
-        self._payload += bytes((size, descriptor)) + data
+        self._payload += bytes((size, number)) + data
         return self
 
     def build(self) -> Packet:

@@ -45,7 +45,7 @@ class DeviceInfo(Protocol):
     def serial_number(self) -> str: ...
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Device:
     """A device profile."""
 
@@ -68,6 +68,9 @@ class Device:
     also: tuple[str, ...] = ()  # other names
     generation: int | None = None
     manual: str | None = None
+
+    def __repr__(self) -> str:
+        return f"<Device {self.id}: {self.title}>"
 
     def supports(self, set: int, descriptor: int) -> bool:
         """Does it support this command or data field? Shared fields are supported in every data

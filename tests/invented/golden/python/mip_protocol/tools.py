@@ -5,6 +5,7 @@ Commands of every shape.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import Any
 
@@ -138,9 +139,9 @@ class Path(Structure):
     points: tuple[types.Point, ...]
     """The points."""
 
-    def __init__(self, closed: bool, points: tuple[types.Point, ...]) -> None:
+    def __init__(self, closed: bool, points: Sequence[types.Point]) -> None:
         self.closed = closed
-        self.points = points
+        self.points = codec.several(points)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Path, int]:
@@ -492,8 +493,8 @@ class ListResponse(Response):
     items: tuple[int, ...]
     """The items."""
 
-    def __init__(self, items: tuple[int, ...]) -> None:
-        self.items = items
+    def __init__(self, items: Sequence[int]) -> None:
+        self.items = codec.several(items)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ListResponse, int]:
@@ -530,8 +531,8 @@ class InventoryResponse(Response):
     descriptors: tuple[int, ...]
     """As many as there are."""
 
-    def __init__(self, descriptors: tuple[int, ...]) -> None:
-        self.descriptors = descriptors
+    def __init__(self, descriptors: Sequence[int]) -> None:
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InventoryResponse, int]:
@@ -667,9 +668,9 @@ class ReadingsResponse(Response):
     - If `drive` is `Drive.SERIAL`: `value`: Nothing.
     """
 
-    def __init__(self, drive: Drive, readings: tuple[Reading, ...], last: Reading) -> None:
+    def __init__(self, drive: Drive, readings: Sequence[Reading], last: Reading) -> None:
         self.drive = drive
-        self.readings = readings
+        self.readings = codec.several(readings)
         self.last = last
 
     @classmethod
@@ -1404,7 +1405,7 @@ class Bias(Command[R]):
     """
 
     def __init__(
-        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+        self, function: FunctionSelector, bias: types.Vector3f | codec.Numbers | None = None
     ) -> None:
         self.function = function
         self.bias = codec.vector(bias, types.Vector3f)
@@ -1542,11 +1543,11 @@ class Formats(Command[None]):
     """The segments."""
 
     def __init__(
-        self, suppress_ack: bool, checkpoint: int, segments: tuple[types.Segment, ...]
+        self, suppress_ack: bool, checkpoint: int, segments: Sequence[types.Segment]
     ) -> None:
         self.suppress_ack = suppress_ack
         self.checkpoint = checkpoint
-        self.segments = segments
+        self.segments = codec.several(segments)
 
     @property
     def answered(self) -> bool:
@@ -1757,12 +1758,12 @@ class List(Command[R]):
     items: tuple[int, ...] | None
     """The items. Required for `write`."""
 
-    def __init__(self, function: FunctionSelector, items: tuple[int, ...] | None = None) -> None:
+    def __init__(self, function: FunctionSelector, items: Sequence[int] | None = None) -> None:
         self.function = function
-        self.items = items
+        self.items = codec.several(items)
 
     @classmethod
-    def write(cls: ClassOf[List[Any]], items: tuple[int, ...]) -> List[None]:
+    def write(cls: ClassOf[List[Any]], items: Sequence[int]) -> List[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, items=items)
 
@@ -1971,9 +1972,9 @@ class Hello(Command[HelloResponse]):
     later: tuple[float, float] | None
     """Reserved: send 0.0. Optional."""
 
-    def __init__(self, reserved: float = 1.0, later: tuple[float, float] | None = None) -> None:
+    def __init__(self, reserved: float = 1.0, later: Sequence[float] | None = None) -> None:
         self.reserved = reserved
-        self.later = later
+        self.later = codec.several(later)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Hello, int]:
@@ -2075,10 +2076,10 @@ class Poll(Command[None]):
     descriptors: tuple[int, ...]
     """Field descriptors. Refers to fields of `descriptor_set`."""
 
-    def __init__(self, descriptor_set: int, first: int, descriptors: tuple[int, ...]) -> None:
+    def __init__(self, descriptor_set: int, first: int, descriptors: Sequence[int]) -> None:
         self.descriptor_set = descriptor_set
         self.first = first
-        self.descriptors = descriptors
+        self.descriptors = codec.several(descriptors)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Poll, int]:

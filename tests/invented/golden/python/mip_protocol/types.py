@@ -7,6 +7,7 @@ if __name__ == "types":
         "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
     )
 
+from collections.abc import Sequence
 from enum import IntFlag
 from typing import NamedTuple
 
@@ -167,10 +168,10 @@ class Segment(Structure):
     weights: tuple[int, int]
     """Of its ends."""
 
-    def __init__(self, from_: Point, to: Point, weights: tuple[int, int]) -> None:
+    def __init__(self, from_: Point, to: Point, weights: Sequence[int]) -> None:
         self.from_ = from_
         self.to = to
-        self.weights = weights
+        self.weights = codec.several(weights)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Segment, int]:

@@ -74,6 +74,11 @@ def _series(
                 numbers[place] = getattr(column, name)
             found.append(Series(name, numbers, None, {}))
     for column, place, prefix in zip(columns, places, _prefixes(columns)):
+        if not column.names:
+            there = np.zeros(rows, bool)
+            there[place] = True
+            name = prefix or column.type.NAME.rpartition(".")[2]
+            found.append(Series(name, there, None, {}))
         for part in _parameters(column, invalid, prefix):
             found.append(part if len(columns) == 1 else _spread(part, place, rows))
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
 from typing import Any, TypeVar, overload
 
@@ -29,7 +29,8 @@ class Log:
 
     They are exactly those that `Parser` finds, however the file is divided: a packet belongs to the
     part that contains its first byte. Memory is needed for the positions of the packets, up to a
-    limit, and for the requested columns; the file itself is not read into memory.
+    limit, and for the requested columns; the file itself is not read into memory. A log of a path
+    can be pickled, for other processes: as the path and the bytes.
     """
 
     def __init__(
@@ -62,6 +63,20 @@ class Log:
     def close(self) -> None:
         """Closes the file. Columns already read remain valid."""
         self._source.close()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies, also in other processes, open the file again."""
+        origin = self._source.origin
+        if origin is None:
+            raise TypeError(
+                "a log of an open file or a buffer cannot be pickled: read it from a path or from bytes"
+            )
+        return Log, (origin, self.begin, self.end, self.device)
+
+    def __repr__(self) -> str:
+        origin = self._source.origin
+        name = repr(origin) if isinstance(origin, str) else "in memory"
+        return f"<Log {name}: bytes {self.begin} to {self.end}>"
 
     def parts(self, size: int = 1 << 26) -> Iterator[Log]:
         """The same log in parts of this many bytes; together they have every packet once."""
@@ -195,13 +210,16 @@ class Log:
         that the log has, None for no time; `time_own` is False where the packet itself has no
         timestamp (see `Times`). `invalid="mask"` leaves out values whose flag says that they are
         not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` says
-        whether their units are included, in the names or in the metadata of Arrow. `position` adds
-        the number of the packet, its descriptor set and its place in the file.
+        whether their units are included, in the names or in the metadata of Arrow. A type without
+        parameters has one column, which is True in its rows. `position` adds the number of the
+        packet, its descriptor set and its place in the file.
 
         Raises LookupError for unknown types, ValueError for other choices, MissingExtra if the library
         is missing.
         """
-        chosen = [kinds] if isinstance(kinds, (str, type)) else list(kinds)
+        chosen: list[Any] = [kinds]
+        if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)):
+            chosen = list(kinds)
         if not chosen:
             raise ValueError("a frame has one type or more")
         columns = self.columns(chosen)

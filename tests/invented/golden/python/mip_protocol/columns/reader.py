@@ -27,8 +27,13 @@ class Reader:
 
     def __init__(self, log: Log, kind: type[Field] | str, set: int | None) -> None:
         """Raises LookupError if the specification has no such type in that set."""
-        self._log = log
-        self._kind = registry.by_name(kind) if isinstance(kind, str) else kind
+        if isinstance(kind, str):
+            kind = registry.by_name(kind)
+        elif not (isinstance(kind, type) and issubclass(kind, Field) and hasattr(kind, "SET")):
+            raise LookupError(
+                f"{kind!r} is not a field: a column needs a class such as sensor.ScaledAccel, or its name"
+            )
+        self._log, self._kind = log, kind
         self._set = set
         own = self._kind.SET if self._kind.SET not in (0, registry.SHARED_SET) else set
         if not self._in(own if own is not None else 0x80 if self._kind.SET else 1):
@@ -82,7 +87,7 @@ class Reader:
             raw = RawField(number, self._kind.DESCRIPTOR, data)
             kind = chosen(registry.types(number, self._kind.DESCRIPTOR), raw)
             try:
-                yield kind.decode(data) if kind is self._kind else None
+                yield kind._read(data, 0)[0] if kind is self._kind else None
             except DecodeError:
                 yield None
 

@@ -17,7 +17,10 @@ class Source:
 
     def __init__(self, given: Any) -> None:
         self._map: mmap.mmap | None = None
+        #: What another process can read the same from: a path or bytes.
+        self.origin: str | bytes | None = given if isinstance(given, bytes) else None
         if isinstance(given, (str, os.PathLike)):
+            self.origin = os.path.abspath(os.fsdecode(given))
             with open(given, "rb") as file:
                 data = self._mapped(file)
         elif hasattr(given, "read"):
