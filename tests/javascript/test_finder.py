@@ -69,7 +69,9 @@ def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> N
     assert page.run("window.gone") == [href]
 
 
-@pytest.mark.parametrize("text", ["75 65 01 02 02 01 E0 C6", "7565010202 01e0c6", r'b"\x75\x65\x01\x02\x02\x01\xe0\xc6"'])
+@pytest.mark.parametrize(
+    "text", ["75 65 01 02 02 01 E0 C6", "7565010202 01e0c6", r'b"\x75\x65\x01\x02\x02\x01\xe0\xc6"']
+)
 def test_a_packet_is_for_the_inspector(page: browser.Page, text: str) -> None:
     page.open("about:blank")
     page.open(ROOT / "generated/javascript/tools/finder.html")
