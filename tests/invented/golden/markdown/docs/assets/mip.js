@@ -1353,6 +1353,7 @@ const { hexByte, spacedHex } = modules["tools/words"];
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
+const VENDOR = 0.5;
 const BEGINNING = 1;
 const TITLE = 2;
 const WORDS = 3;
@@ -1387,10 +1388,15 @@ function find(index, text, limit = 20) {
     const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const words = [...new Set(wordsOf(query))];
     for (const entry of index.entries) {
-        const rank = entry.vendor.has(vendor) ? EXACT : Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
+        const rank = Math.min(
+            rankOfSymbol(entry, squashed),
+            entry.vendor.has(vendor) ? VENDOR : Infinity,
+            rankOfWords(entry, words, index.synonyms),
+        );
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
-    const order = ({ field, rank }) => [rank, entryRank(field), rank < EXACT ? 0 : field.name.length];
+    // What is found by its set is in the order of the specification.
+    const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
 }
