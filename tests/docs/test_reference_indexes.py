@@ -160,7 +160,7 @@ def listed(manual: Manual, language: str) -> set[str]:
 
 
 DECLARED_IN_C = re.compile(
-    r"^#define (MIP_\w+) |^(?:enum|struct|union) (mip_\w+) \{|^typedef \w+ (mip_\w+);|^\s+(MIP_\w+) = "
+    r"^#define (MIP_\w+) |^(?:enum|struct|union) (mip_\w+) (?:MIP_ENUM_\d+ )?\{|^typedef \w+ (mip_\w+);|^\s+(MIP_\w+) = "
     r"|^extern MIP_API const [\w ]*?(mip_\w+)[;\[]|^(?:\w[\w ]*[ *])?(mip_\w+)\(",
     re.M,
 )

@@ -487,6 +487,7 @@ def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None
 def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
     """Each time in another line of what opens, closes and names the file: it is whole or not there, and no part is."""
     path = tmp_path / "log.bin"
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background, shells ignore it
     left = at = 0
 
     def interrupt(frame: Any, event: str, argument: Any) -> Any:
@@ -518,7 +519,7 @@ def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
             assert path.read_bytes() == b"all", at
             path.unlink()
     assert at > 50
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert signal.signal(signal.SIGINT, handler) is signal.default_int_handler
 
 
 def test_names_of_any_length(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
