@@ -113,6 +113,7 @@ globalThis.mipModel = {
 {"word":"gyro","instead_of":["gyroscope"]},
 {"word":"info","instead_of":["information"]},
 {"word":"internal","instead_of":["int"]},
+{"word":"llh","instead_of":["lla"]},
 {"word":"llh_position","instead_of":["position_llh"]},
 {"word":"low_pass","instead_of":["lowpass"]},
 {"word":"mag","instead_of":["magnetometer"]},

@@ -290,6 +290,15 @@ def test_nothing_is_found(page: browser.Page) -> None:
 
 
 @in_browser
+def test_a_packet_is_for_the_inspector(page: browser.Page) -> None:
+    go(page, "index.html")
+    typed(page, "7565 0102 0201 E0C6")
+    assert results(page)[0] == "tools/inspector.html#75 65 01 02 02 01 E0 C6"
+    first = page.run("document.querySelector('.mip-search a').textContent")
+    assert first == "Packet: open in the inspector"
+
+
+@in_browser
 def test_search_by_keyboard(page: browser.Page) -> None:
     go(page, "fields/base/ping.html")
 

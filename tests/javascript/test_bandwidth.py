@@ -19,6 +19,7 @@ window.choose = (device, wanted) => {
     const select = document.querySelector("select");
     select.value = device;
     select.dispatchEvent(new Event("input"));
+    for (const box of document.querySelectorAll("[data-set] [type=checkbox]:checked")) box.click();
     for (const [set, field, number] of wanted) {
         const [box, input] = document.querySelectorAll(`[data-set="${set}"] [data-field="${field}"] input`);
         input.value = number;
@@ -112,3 +113,63 @@ def test_random_streams(page: browser.Page, device: str) -> None:
             enough = [r for r in port.baud_rates if r >= need]
             none = "none of its baud rates is enough" if port.baud_rates else "no baud rate"
             assert found["ports"][port.name] == (str(min(enough)) if enough else none)
+
+
+def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
+    """What its sources do not tell is not what the device does not have: it is offered, and marked."""
+    assert page.run("choose('3dm-gx5-25', [['sensor', 'sensor.scaled_accel', 10]])")["need"]
+    row = 'document.querySelector(\'[data-set="{}"] [data-field="{}"] label\').textContent'
+    assert page.run(row.format("sensor", "sensor.scaled_accel")).endswith("(not known)")
+    assert "is incomplete: No manual is known." in page.run("document.querySelector('#tool').textContent")
+    page.run("choose('3dm-gx5-35', [])")
+    of = model("real").device("3dm-gx5-35")
+    assert of is not None and of.incomplete
+    for s in of.supports:
+        if s.field.set_name == "sensor" and s.field.role == m.DATA:
+            assert page.run(row.format("sensor", s.field.full_name)).endswith("(perhaps)") == bool(s.evidence)
+
+
+def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:
+    page.run("choose('3dm-gx5-15', [])")
+    of = model("real").device("3dm-gx5-15")
+    assert of is not None and not of.incomplete
+    listed = {s.field.full_name for s in of.supports if s.field.role == m.DATA}
+    assert set(page.run("[...document.querySelectorAll('[data-field]')].map((row) => row.dataset.field)")) == listed
+    assert "incomplete" not in page.run("document.querySelector('#tool').textContent")
+
+
+@pytest.mark.parametrize("number", ["", "0", "-5", "2.9", "70000"])
+def test_a_decimation_that_no_device_takes(page: browser.Page, number: str) -> None:
+    """It has two bytes; what is not one is said, and not counted as another."""
+    chosen = page.run(f"choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', {number!r}]])")
+    assert chosen == {"need": None, "ports": {}}
+    said = "Scaled accel needs a whole number from 1 to 65535."
+    assert page.run("document.querySelector('.mip-output').textContent") == said
+    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a whole number from 1 to 65535"
+
+
+def test_a_rate_without_a_base_rate(page: browser.Page) -> None:
+    wanted = "choose('', [['sensor', 'sensor.scaled_accel', {}]])"
+    assert page.run(wanted.format("'0'"))["need"] is None
+    assert page.run("document.querySelector('.mip-rate.mip-wrong').textContent") == "a number above 0"
+    assert page.run(wanted.format("0.05"))["need"] == "1 byte/s; over a UART at least 10 Bd."
+
+
+def test_another_device_keeps_what_it_has(page: browser.Page) -> None:
+    """The rates of the fields are kept, and the address names the device."""
+    page.run("choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', 10], ['sensor', 'sensor.up_vector', 5]])")
+    change = (
+        "(() => { const select = document.querySelector('select'); select.value = '%s';"
+        " select.dispatchEvent(new Event('input'));"
+        " return Object.fromEntries([...document.querySelectorAll('[data-set=sensor] tr:has(:checked)')]"
+        ".map((row) => [row.dataset.field, row.querySelector('.mip-rate').textContent])); })()"
+    )
+    of = model("real").device("3dm-cv7-gnss-ins")
+    assert of is not None and "sensor.up_vector" not in {s.field.full_name for s in of.supports}
+    first = page.run(change % "3dm-gx5-15")
+    assert set(first) == {"sensor.scaled_accel", "sensor.up_vector"}
+    second = page.run(change % "3dm-cv7-gnss-ins")
+    assert second == {"sensor.scaled_accel": first["sensor.scaled_accel"]}
+    assert page.run("location.hash") == "#3dm-cv7-gnss-ins"
+    assert page.run(change % "3dm-gx5-15") == first
+    assert page.run(change % "") == first and page.run("location.hash") == ""

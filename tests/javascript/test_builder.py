@@ -283,8 +283,25 @@ def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
         own.run(f"put('#mip-device', {d.id!r})")
         shown = set(own.run("[...document.querySelector('#mip-field').options].map((one) => one.value)"))
         known = {s.field.full_name for s in d.supports}
+        if d.incomplete:
+            known = {f.full_name for f in of.fields}
         answers = {f.full_name for f in of.fields if f.role == m.RESPONSE}
-        assert shown - answers == known | {"protocol.acknowledge", "base.ping"}
+        assert shown - answers == (known | {"protocol.acknowledge", "base.ping"}) - answers
+
+
+def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) -> None:
+    """What the sources of an incomplete profile do not tell is not what the device does not have."""
+    words = "document.querySelector('#mip-field option[value=\"{}\"]').textContent"
+    start(own, "3dm-gq7 filter.run")
+    assert own.run(words.format("filter.run")) == "0x05 Run navigation filter"
+    assert own.run(words.format("base.ping")) == "0x01 Ping (perhaps)"
+    assert own.run(words.format("3dm.message_format")) == "0x0F Message Format (not known)"
+    tool = "document.querySelector('#tool > [role=status]').textContent"
+    assert "The profile of the 3DM-GQ7-GNSS/INS is incomplete: Only some pages" in own.run(tool)
+    own.run("put('#mip-field', '3dm.message_format')")
+    assert own.run("texts('.mip-device-notes li')") == ["3DM-GQ7-GNSS/INS: it is not known whether it supports this"]
+    own.run("put('#mip-device', '3dm-gx5-15')")
+    assert "incomplete" not in own.run(tool)
 
 
 def test_a_device_says_what_differs(own: browser.Page) -> None:

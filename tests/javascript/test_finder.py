@@ -67,3 +67,17 @@ def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> N
     )
     page.run("document.querySelector('form').requestSubmit()")
     assert page.run("window.gone") == [href]
+
+
+@pytest.mark.parametrize(
+    "text", ["75 65 01 02 02 01 E0 C6", "7565010202 01e0c6", r'b"\x75\x65\x01\x02\x02\x01\xe0\xc6"']
+)
+def test_a_packet_is_for_the_inspector(page: browser.Page, text: str) -> None:
+    page.open("about:blank")
+    page.open(ROOT / "generated/javascript/tools/finder.html")
+    found(page, text)
+    first = "document.querySelector('.mip-results li a')"
+    assert page.run(f"{first}.textContent") == "Packet: open in the inspector"
+    assert page.run(f"{first}.getAttribute('href')") == "inspector.html#75%2065%2001%2002%2002%2001%20E0%20C6"
+    found(page, "7565")
+    assert page.run(f"{first}?.textContent ?? null") is None

@@ -52,3 +52,19 @@ def test_every_export_is_in_the_readme() -> None:
     assert len(names) > 10
     for name in names:
         assert re.search(rf"\b{name}\b", readme), name
+
+
+def test_the_package_exports_what_the_readme_names(tmp_path: Path) -> None:
+    """The script for classic pages and the tools, for programs that find files by the name of the package."""
+    package = tmp_path / "node_modules/mip-protocol"
+    package.parent.mkdir()
+    package.symlink_to(GENERATED)
+    files = ["model.js", "mip.js", "tools/index.mjs", "tools/tools.css", "tools/inspector.html", "package.json"]
+    program = tmp_path / "find.cjs"
+    program.write_text(
+        "for (const name of process.argv.slice(2)) console.log(require.resolve(`mip-protocol/${name}`));", "utf-8"
+    )
+    assert node(program, *files).splitlines() == [str(GENERATED / name) for name in files]
+    program = tmp_path / "use.mjs"
+    program.write_text("import { find } from 'mip-protocol/tools/index.mjs'; console.log(typeof find);", "utf-8")
+    assert node(program) == "function\n"

@@ -93,6 +93,14 @@ def test_everything_that_the_schema_has_is_described() -> None:
         assert f"`{key}`" in readme or key in ("$schema", "name", "version"), key
 
 
+def test_the_readme_says_what_a_case_without_an_operation_is() -> None:
+    readme = (ROOT / "generated/json/README.md").read_text("utf-8")
+    (row,) = re.findall(r"^\| `switch` \|.*$", readme, re.M)
+    operations = [op for f in whole("real")["fields"] for o in f["operations"] for op in o.get("body", [o])]
+    assert any("operation" not in case for op in operations for case in op.get("cases", ()))
+    assert "no data and no member if that case has no `operation`" in row
+
+
 def test_it_is_not_large() -> None:
     assert (ROOT / "generated/json/mip.json").stat().st_size <= MOST
 

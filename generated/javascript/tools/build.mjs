@@ -190,10 +190,20 @@ function commandsOf(protocol, response) {
     return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
 }
 
+/**
+ * Whether a device can be offered a field: "" if it supports it, "perhaps" if it probably does, "not known" if its profile is
+ * incomplete and does not list it, undefined if it has no such field.
+ */
+export function certaintyOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (support) return support.evidence ? "perhaps" : "";
+    return device.incomplete ? "not known" : undefined;
+}
+
 /** What differs on a device, each in words. */
 export function differencesOn(protocol, device, field) {
     const support = supportOn(protocol, device, field);
-    if (!support) return ["it is not known to support this"];
+    if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
     if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);

@@ -13,8 +13,9 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
- * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage` and
+ * `options.inspectorPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them; without one, there are no
+ * links. A response is on the page of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -27,11 +28,27 @@ export function links(options = {}) {
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
         },
+        inspector(packet) {
+            return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);
+        },
     };
 }
 
 function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
+}
+
+/** What is not known of a device, if its profile is incomplete. */
+export function profileNote(device) {
+    if (!device?.incomplete) return undefined;
+    const unknown = device.incomplete.join(" ").replaceAll("`", "");
+    const marked = "Fields that it perhaps has, or of which nothing is known, are offered and marked.";
+    return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
+}
+
+/** Words behind the name of a field that a device does not have for certain. */
+export function mark(certainty) {
+    return certainty ? ` (${certainty})` : "";
 }
 
 /** Calls a function when the user has changed something. */

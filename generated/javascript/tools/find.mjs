@@ -1,9 +1,12 @@
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
 
-import { hexByte } from "./words.mjs";
+import { sameBytes } from "../mip/bytes.mjs";
+import { bytesOfText } from "./input.mjs";
+import { hexByte, spacedHex } from "./words.mjs";
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
+const VENDOR = 0.5;
 const BEGINNING = 1;
 const TITLE = 2;
 const WORDS = 3;
@@ -11,12 +14,17 @@ const PARTS = 4;
 const TEXT = 5;
 const PLACES = [TITLE, WORDS, PARTS, TEXT];
 
+/** Bytes of a packet before its payload: what is shorter may be a descriptor. */
+const FRAME_HEAD = 4;
+
 /** An index of all fields, for `find`. */
 export function indexOf(protocol) {
     const synonyms = synonymsOf(protocol.model.vocabulary);
     const commands = new Map();
     for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
-    return { protocol, synonyms, entries: protocol.model.fields.map((field) => entryOf(protocol, field, commands)) };
+    const vendorWords = vendorWordsOf(protocol);
+    const entries = protocol.model.fields.map((field) => entryOf(protocol, field, commands, vendorWords));
+    return { protocol, synonyms, vendorWords, entries };
 }
 
 /**
@@ -30,14 +38,27 @@ export function find(index, text, limit = 20) {
     const ranks = new Map();
     for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
     const squashed = squash(query);
+    const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const words = [...new Set(wordsOf(query))];
     for (const entry of index.entries) {
-        const rank = Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
+        const rank = Math.min(
+            rankOfSymbol(entry, squashed),
+            entry.vendor.has(vendor) ? VENDOR : Infinity,
+            rankOfWords(entry, words, index.synonyms),
+        );
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
-    const order = ({ field, rank }) => (rank < EXACT ? [rank] : [rank, entryRank(field), field.name.length]);
+    // What is found by its set is in the order of the specification.
+    const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+/** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
+export function packetIn({ protocol }, text) {
+    const { bytes } = bytesOfText(text);
+    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.sync);
+    return begun ? spacedHex(bytes) : undefined;
 }
 
 function compared(a, b) {
@@ -52,21 +73,33 @@ function entryRank(field) {
 
 // ------------------------------------------------------------------------------------------------ descriptors
 
-const PAIR = /^[([{]*\s*(?:0x)?([0-9a-f]{2})(?:\s*[\s,:;/.-]\s*(?:0x)?|(?:0x)?)([0-9a-f]{2})h?\s*[)\]}]*$/i;
-const SINGLE = /^[([{]*\s*(?:0x([0-9a-f]{1,2})|([0-9a-f]{2})h?)\s*[)\]}]*$/i;
+// Words and marks that people write around the numbers.
+const AROUND = /\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+/g;
+
+// 0x4, 4h, 04; and 4, which is a descriptor only behind a set.
+const NUMBER = /^(?:0x([0-9a-f]{1,2})h?|([0-9a-f]{1,2})h|([0-9a-f]{2}))$/;
+const DIGIT = /^([0-9a-f])$/;
+const TOGETHER = /^(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?$/;
+
+/** A set and a descriptor, or one of them; empty for other texts. */
+function descriptorsOf(query) {
+    const parts = query.toLowerCase().replace(AROUND, " ").trim().split(" ").filter(Boolean);
+    const match = (part, ...forms) => forms.map((form) => form.exec(part)).find(Boolean);
+    const matches = parts.map((part, i) => match(part, NUMBER, ...(i ? [DIGIT] : parts.length > 1 ? [] : [TOGETHER])));
+    if (matches.length > 2 || !matches.every(Boolean)) return [];
+    const digits = matches.flatMap((found) => found.slice(1).filter(Boolean));
+    return digits.map((one) => Number.parseInt(one, 16));
+}
 
 function byDescriptor({ protocol }, query) {
-    const pair = PAIR.exec(query);
-    if (pair) {
-        const [set, descriptor] = [pair[1], pair[2]].map((digits) => Number.parseInt(digits, 16));
-        return protocol.candidates(set, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
+    const [first, descriptor] = descriptorsOf(query);
+    if (first === undefined) return [];
+    if (descriptor !== undefined) {
+        return protocol.candidates(first, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
     }
-    const single = SINGLE.exec(query);
-    if (!single) return [];
-    const number = Number.parseInt(single[1] ?? single[2], 16);
     return protocol.model.fields
-        .filter((field) => field.set === number || field.descriptor === number)
-        .map((field) => ({ field, rank: field.set === number ? EXACT - 2 : EXACT - 1 }));
+        .filter((field) => field.set === first || field.descriptor === first)
+        .map((field) => ({ field, rank: field.set === first ? EXACT - 2 : EXACT - 1 }));
 }
 
 // ------------------------------------------------------------------------------------------------ names
@@ -80,12 +113,33 @@ function wordsOf(text) {
     return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
 }
 
+// What symbols of the vendor have beside the words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_, extract_mip_.
+const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "insert", "to", "extract", "from"];
+
+/**
+ * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name and
+ * functions. mip_filter_position_llh_data and DATA_FILTER_POS_LLH are the same then.
+ */
+function vendorWordsOf({ model, functions }) {
+    const others = model.vocabulary.flatMap(({ word, instead_of: instead }) => instead.map((one) => [one, word]));
+    const usual = new Map(others);
+    const beside = new Set([...BESIDE, ...[...functions.values()].map((one) => one.name)]);
+    return (symbol) => {
+        const words = wordsOf(symbol.replace(/(?<=[a-z0-9])(?=[A-Z])/g, "_").replaceAll("_", " "));
+        const plain = words.map(stem).map((word) => usual.get(word) ?? word);
+        return plain
+            .filter((word) => !beside.has(word))
+            .sort()
+            .join(" ");
+    };
+}
+
 /** All words of some texts, with a space before and behind each. */
 function spaced(...texts) {
     return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
 
-function entryOf(protocol, field, commands) {
+function entryOf(protocol, field, commands, vendorWords) {
     const [set, name] = field.name.split(".");
     const also = field.also ?? [];
     const keywords = field.keywords ?? [];
@@ -107,6 +161,7 @@ function entryOf(protocol, field, commands) {
     return {
         field,
         squashed: [...new Set(names.map(squash))],
+        vendor: new Set([name, ...also].map((one) => vendorWords(`${set}.${one}`))),
         constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
         words: {
             [TITLE]: spaced(field.title, name, ...also, ...keywords),

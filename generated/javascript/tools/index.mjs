@@ -5,7 +5,7 @@ export { answerOf, initialValues, packetOf, typicalValues } from "./build.mjs";
 export { builder } from "./builder.mjs";
 export { programOf } from "./code.mjs";
 export { fragment } from "./dom.mjs";
-export { find, indexOf } from "./find.mjs";
+export { find, indexOf, packetIn } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { bytesOfText } from "./input.mjs";
 export { inspect } from "./inspect.mjs";

@@ -7,6 +7,7 @@ import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
 import {
     allOperations,
     answerOf,
+    certaintyOn,
     counted,
     countOptional,
     differencesOn,
@@ -17,11 +18,10 @@ import {
     setsOf,
     shownOperations,
     sourceOf,
-    supportOn,
     typicalValues,
 } from "./build.mjs";
 import { LANGUAGES, programOf } from "./code.mjs";
-import { element, links } from "./dom.mjs";
+import { element, links, mark, profileNote } from "./dom.mjs";
 import { bytesOfText } from "./input.mjs";
 import { choicesOf, decimal, descriptorOf, hexByte, hexLiteral, spacedHex } from "./words.mjs";
 
@@ -39,6 +39,7 @@ export function builder(root, protocol, options = {}) {
         element("option", { value: "" }, "any device"),
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
+    const note = element("div", { role: "status" });
     const choice = element("select", { id: "mip-field" });
     const start = startOf(protocol, options.field ?? "");
     const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
@@ -68,18 +69,16 @@ export function builder(root, protocol, options = {}) {
         ]);
         groups.push(["All command sets", [protocol.acknowledge]]);
         const chosen = state.entries[0]?.field;
-        const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
+        const offered = groups.map(([label, fields]) => [label, fieldOptions(protocol, state.device, fields, chosen)]);
         choice.replaceChildren(
-            ...groups
-                .map(offered)
-                .filter(([, fields]) => fields.length)
-                .map(([label, fields]) => fieldGroup(label, fields)),
+            ...offered.filter(([, options]) => options.length).map(([label, options]) => element("optgroup", { label }, options)),
         );
+        note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
         if (chosen) choice.value = chosen.name;
     };
     const adder = () => {
-        const fields = beside(protocol, state).filter((one) => supportOn(protocol, state.device, one));
-        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), fields.map(fieldOption));
+        const options = fieldOptions(protocol, state.device, beside(protocol, state));
+        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), options);
         add.addEventListener("input", () => {
             if (!add.value) return;
             state.entries.push(entryOf(protocol, protocol.field(add.value)));
@@ -109,6 +108,7 @@ export function builder(root, protocol, options = {}) {
     });
     root.replaceChildren(
         element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
+        note,
         element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
         forms,
         output,
@@ -161,13 +161,14 @@ function beside(protocol, { set }) {
     return [...names.map((name) => protocol.field(name)), ...(set < FIRST_DATA_SET ? [protocol.acknowledge] : [])];
 }
 
-function fieldGroup(label, fields) {
-    return element("optgroup", { label }, fields.map(fieldOption));
-}
-
-function fieldOption(field) {
-    const words = `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
-    return element("option", { value: field.name }, words);
+/** The choices among fields: those that the device may have, and the chosen one. */
+function fieldOptions(protocol, device, fields, chosen) {
+    return fields.flatMap((field) => {
+        const certainty = certaintyOn(protocol, device, field);
+        if (certainty === undefined && field !== chosen) return [];
+        const response = field.role === "response" ? " (response)" : "";
+        return [element("option", { value: field.name }, `${hexByte(field.descriptor)} ${field.title}${response}${mark(certainty)}`)];
+    });
 }
 
 // ------------------------------------------------------------------------------------------------ inputs

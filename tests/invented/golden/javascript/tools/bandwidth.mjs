@@ -1,10 +1,17 @@
 // Bandwidth: choose data fields and rates, and see which baud rate they need.
 
-import { element, links } from "./dom.mjs";
+import { certaintyOn } from "./build.mjs";
+import { element, links, mark, profileNote } from "./dom.mjs";
 import { needOf, portsFor, streamsOf } from "./stream.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
-/** Fills an element with the tool. `options` are those of `links`, and `device`, the id of the one to begin with. */
+/** Decimations have two bytes. */
+const MOST = 0xffff;
+
+/**
+ * Fills an element with the tool. `options` are those of `links`, and `device`, the id of the one to begin with. If it is
+ * given, the fragment of the address follows the choice.
+ */
 export function bandwidth(root, protocol, options = {}) {
     const to = links(options);
     const device = element(
@@ -14,18 +21,30 @@ export function bandwidth(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id, selected: one.id === options.device }, one.title)),
     );
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const note = element("div", { role: "status" });
     const list = element("div");
     let rows = [];
+    const kept = new Map(); // rates that were chosen, also of what the present device does not have
     const chosen = () => protocol.model.devices.find((one) => one.id === device.value);
     const show = () => output.replaceChildren(...report(chosen(), rows));
     const layOut = () => {
+        for (const row of rows.flat()) {
+            if (row.box.checked && !row.problem()) kept.set(row.box.id, row.rate());
+            else kept.delete(row.box.id);
+        }
         const streams = streamsOf(protocol, chosen());
-        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, show, to)));
+        const certainty = (field) => certaintyOn(protocol, chosen(), field);
+        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, certainty(field), show, to)));
+        for (const row of rows.flat()) if (kept.has(row.box.id)) row.choose(kept.get(row.box.id));
+        note.replaceChildren(...[profileNote(chosen())].filter(Boolean));
         list.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
         show();
     };
-    device.addEventListener("input", layOut);
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), output, list);
+    device.addEventListener("input", () => {
+        layOut();
+        if (options.device !== undefined) history.replaceState(history.state, "", `#${encodeURIComponent(device.value)}`);
+    });
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), note, output, list);
     layOut();
 }
 
@@ -53,30 +72,46 @@ function streamTable({ set, base }, rows) {
     );
 }
 
-/** A line of the table; `rate` is that of the field, 0 while it is not chosen. */
-function streamRow(field, { set, base }, show, to) {
+/** A line of the table; `rate` is that of the field, `problem` says why there is none, and `choose` sets it. */
+function streamRow(field, { set, base }, certainty, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
     const number = element("input", {
         type: "number",
         min: base ? 1 : 0,
+        max: base ? MOST : undefined,
         step: base ? 1 : "any",
         value: base ? 10 : 1,
+        required: true,
         "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}`,
     });
     const text = element("td", { class: "mip-rate" });
-    const rateOf = () => {
-        const given = Math.max(0, Number(number.value) || 0);
-        return base ? base / Math.max(1, Math.trunc(given)) : given;
+    const row = {
+        field,
+        box,
+        rate: () => (base ? base / Number(number.value) : Number(number.value)),
+        problem() {
+            if (number.validity.valid && Number(number.value) > 0) return undefined;
+            return base ? `a whole number from 1 to ${MOST}` : "a number above 0";
+        },
+        choose(rate) {
+            box.checked = true;
+            number.value = base ? Math.min(MOST, Math.max(1, Math.round(base / rate))) : rate;
+            tell();
+        },
     };
-    const row = { field, box, rate: () => (box.checked ? rateOf() : 0) };
+    const tell = () => {
+        const problem = row.problem();
+        text.textContent = problem ?? `${Number(row.rate().toPrecision(6))} Hz`;
+        text.classList.toggle("mip-wrong", Boolean(problem));
+    };
     const changed = () => {
-        text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
+        tell();
         show();
     };
     for (const control of [box, number]) control.addEventListener("input", changed);
-    text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
-    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}`);
+    tell();
+    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}${mark(certainty)}`);
     row.line = element(
         "tr",
         { "data-field": field.name },
@@ -89,8 +124,10 @@ function streamRow(field, { set, base }, show, to) {
 }
 
 function report(device, rows) {
-    const streams = rows.map((set) => set.filter(({ box }) => box.checked).map(({ field, rate }) => ({ field, rate: rate() })));
-    const { bytes, baud } = needOf(streams);
+    const chosen = rows.map((set) => set.filter(({ box }) => box.checked));
+    const wrong = chosen.flat().find((row) => row.problem());
+    if (wrong) return [element("p", { class: "mip-wrong" }, `${wrong.field.title} needs ${wrong.problem()}.`)];
+    const { bytes, baud } = needOf(chosen.map((set) => set.map(({ field, rate }) => ({ field, rate: rate() }))));
     if (!bytes) return [element("p", { class: "mip-note" }, "Choose fields below.")];
     const ports = portsFor(device, baud).map(({ port, rate }) => {
         const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is enough");
@@ -98,7 +135,11 @@ function report(device, rows) {
     });
     const heads = ["Port", "Smallest baud rate"].map((text) => element("th", { scope: "col" }, text));
     return [
-        element("p", { class: "mip-need" }, `${round(bytes)} bytes/s; over a UART at least ${round(baud)} Bd.`),
+        element(
+            "p",
+            { class: "mip-need" },
+            `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`,
+        ),
         ports.length > 0 && element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, ports)),
         element("p", {}, "Leave room for the answers to commands. A device drops the packets that do not fit."),
     ].filter(Boolean);

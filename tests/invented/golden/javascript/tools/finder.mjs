@@ -1,7 +1,7 @@
 // The finder: type what you know of a field, and go to its page.
 
 import { element, links } from "./dom.mjs";
-import { find, indexOf, kindOf } from "./find.mjs";
+import { find, indexOf, kindOf, packetIn } from "./find.mjs";
 
 /** Fills an element with the finder. `options` are those of `links`, and `text`, what is looked for at first. */
 export function finder(root, protocol, options = {}) {
@@ -10,9 +10,11 @@ export function finder(root, protocol, options = {}) {
     const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: options.text });
     const output = element("ul", { class: "mip-results", "aria-live": "polite" });
     const update = () => {
-        const found = find(index, input.value);
+        const packet = options.inspectorPage && packetIn(index, input.value);
+        const found = find(index, input.value).map(({ field }) => resultItem(field, to));
+        if (packet) found.unshift(element("li", {}, to.inspector(packet)));
         const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found.map(({ field }) => resultItem(field, to)) : nothing));
+        output.replaceChildren(...(found.length ? found : nothing));
     };
     const form = element(
         "form",

@@ -1,6 +1,7 @@
 // How much a port must carry for a stream of data fields.
 
 import { SHARED_SET } from "../mip/protocol.mjs";
+import { certaintyOn } from "./build.mjs";
 
 /** Bytes of a packet beside its fields. */
 const FRAME = 6;
@@ -33,13 +34,13 @@ export function portsFor(device, baud) {
 
 /**
  * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
- * it is not known, 0 for a set that is sent as it arrives. Without a device, all.
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, all; of an incomplete profile, what is not
+ * listed too.
  */
 export function streamsOf(protocol, device) {
-    const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
     const fieldsOf = (set) =>
-        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => certaintyOn(protocol, device, field) !== undefined);
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)

@@ -1365,8 +1365,9 @@ function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage` and `options.erratumPage` are addresses
- * with {set}, {page}, {field} and {id} in them; without one, there are no links. A response is on the page of its command.
+ * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage` and
+ * `options.inspectorPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them; without one, there are no
+ * links. A response is on the page of its command.
  */
 function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -1379,11 +1380,27 @@ function links(options = {}) {
         erratum(erratum) {
             return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
         },
+        inspector(packet) {
+            return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);
+        },
     };
 }
 
 function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
+}
+
+/** What is not known of a device, if its profile is incomplete. */
+function profileNote(device) {
+    if (!device?.incomplete) return undefined;
+    const unknown = device.incomplete.join(" ").replaceAll("`", "");
+    const marked = "Fields that it perhaps has, or of which nothing is known, are offered and marked.";
+    return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
+}
+
+/** Words behind the name of a field that a device does not have for certain. */
+function mark(certainty) {
+    return certainty ? ` (${certainty})` : "";
 }
 
 /** Calls a function when the user has changed something. */
@@ -1401,7 +1418,7 @@ function fragment() {
     }
 }
 
-return { element, links, whenChanged, fragment };
+return { element, links, profileNote, mark, whenChanged, fragment };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/find.mjs
@@ -1409,10 +1426,13 @@ return { element, links, whenChanged, fragment };
 modules["tools/find"] = (() => {
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
 
-const { hexByte } = modules["tools/words"];
+const { sameBytes } = modules["mip/bytes"];
+const { bytesOfText } = modules["tools/input"];
+const { hexByte, spacedHex } = modules["tools/words"];
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
+const VENDOR = 0.5;
 const BEGINNING = 1;
 const TITLE = 2;
 const WORDS = 3;
@@ -1420,12 +1440,17 @@ const PARTS = 4;
 const TEXT = 5;
 const PLACES = [TITLE, WORDS, PARTS, TEXT];
 
+/** Bytes of a packet before its payload: what is shorter may be a descriptor. */
+const FRAME_HEAD = 4;
+
 /** An index of all fields, for `find`. */
 function indexOf(protocol) {
     const synonyms = synonymsOf(protocol.model.vocabulary);
     const commands = new Map();
     for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
-    return { protocol, synonyms, entries: protocol.model.fields.map((field) => entryOf(protocol, field, commands)) };
+    const vendorWords = vendorWordsOf(protocol);
+    const entries = protocol.model.fields.map((field) => entryOf(protocol, field, commands, vendorWords));
+    return { protocol, synonyms, vendorWords, entries };
 }
 
 /**
@@ -1439,14 +1464,27 @@ function find(index, text, limit = 20) {
     const ranks = new Map();
     for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
     const squashed = squash(query);
+    const vendor = /\s/.test(query) ? "" : index.vendorWords(query);
     const words = [...new Set(wordsOf(query))];
     for (const entry of index.entries) {
-        const rank = Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
+        const rank = Math.min(
+            rankOfSymbol(entry, squashed),
+            entry.vendor.has(vendor) ? VENDOR : Infinity,
+            rankOfWords(entry, words, index.synonyms),
+        );
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
-    const order = ({ field, rank }) => (rank < EXACT ? [rank] : [rank, entryRank(field), field.name.length]);
+    // What is found by its set is in the order of the specification.
+    const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+/** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
+function packetIn({ protocol }, text) {
+    const { bytes } = bytesOfText(text);
+    const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.sync);
+    return begun ? spacedHex(bytes) : undefined;
 }
 
 function compared(a, b) {
@@ -1461,21 +1499,33 @@ function entryRank(field) {
 
 // ------------------------------------------------------------------------------------------------ descriptors
 
-const PAIR = /^[([{]*\s*(?:0x)?([0-9a-f]{2})(?:\s*[\s,:;/.-]\s*(?:0x)?|(?:0x)?)([0-9a-f]{2})h?\s*[)\]}]*$/i;
-const SINGLE = /^[([{]*\s*(?:0x([0-9a-f]{1,2})|([0-9a-f]{2})h?)\s*[)\]}]*$/i;
+// Words and marks that people write around the numbers.
+const AROUND = /\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+/g;
+
+// 0x4, 4h, 04; and 4, which is a descriptor only behind a set.
+const NUMBER = /^(?:0x([0-9a-f]{1,2})h?|([0-9a-f]{1,2})h|([0-9a-f]{2}))$/;
+const DIGIT = /^([0-9a-f])$/;
+const TOGETHER = /^(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?$/;
+
+/** A set and a descriptor, or one of them; empty for other texts. */
+function descriptorsOf(query) {
+    const parts = query.toLowerCase().replace(AROUND, " ").trim().split(" ").filter(Boolean);
+    const match = (part, ...forms) => forms.map((form) => form.exec(part)).find(Boolean);
+    const matches = parts.map((part, i) => match(part, NUMBER, ...(i ? [DIGIT] : parts.length > 1 ? [] : [TOGETHER])));
+    if (matches.length > 2 || !matches.every(Boolean)) return [];
+    const digits = matches.flatMap((found) => found.slice(1).filter(Boolean));
+    return digits.map((one) => Number.parseInt(one, 16));
+}
 
 function byDescriptor({ protocol }, query) {
-    const pair = PAIR.exec(query);
-    if (pair) {
-        const [set, descriptor] = [pair[1], pair[2]].map((digits) => Number.parseInt(digits, 16));
-        return protocol.candidates(set, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
+    const [first, descriptor] = descriptorsOf(query);
+    if (first === undefined) return [];
+    if (descriptor !== undefined) {
+        return protocol.candidates(first, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
     }
-    const single = SINGLE.exec(query);
-    if (!single) return [];
-    const number = Number.parseInt(single[1] ?? single[2], 16);
     return protocol.model.fields
-        .filter((field) => field.set === number || field.descriptor === number)
-        .map((field) => ({ field, rank: field.set === number ? EXACT - 2 : EXACT - 1 }));
+        .filter((field) => field.set === first || field.descriptor === first)
+        .map((field) => ({ field, rank: field.set === first ? EXACT - 2 : EXACT - 1 }));
 }
 
 // ------------------------------------------------------------------------------------------------ names
@@ -1489,12 +1539,33 @@ function wordsOf(text) {
     return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
 }
 
+// What symbols of the vendor have beside the words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_, extract_mip_.
+const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "insert", "to", "extract", "from"];
+
+/**
+ * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name and
+ * functions. mip_filter_position_llh_data and DATA_FILTER_POS_LLH are the same then.
+ */
+function vendorWordsOf({ model, functions }) {
+    const others = model.vocabulary.flatMap(({ word, instead_of: instead }) => instead.map((one) => [one, word]));
+    const usual = new Map(others);
+    const beside = new Set([...BESIDE, ...[...functions.values()].map((one) => one.name)]);
+    return (symbol) => {
+        const words = wordsOf(symbol.replace(/(?<=[a-z0-9])(?=[A-Z])/g, "_").replaceAll("_", " "));
+        const plain = words.map(stem).map((word) => usual.get(word) ?? word);
+        return plain
+            .filter((word) => !beside.has(word))
+            .sort()
+            .join(" ");
+    };
+}
+
 /** All words of some texts, with a space before and behind each. */
 function spaced(...texts) {
     return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
 
-function entryOf(protocol, field, commands) {
+function entryOf(protocol, field, commands, vendorWords) {
     const [set, name] = field.name.split(".");
     const also = field.also ?? [];
     const keywords = field.keywords ?? [];
@@ -1516,6 +1587,7 @@ function entryOf(protocol, field, commands) {
     return {
         field,
         squashed: [...new Set(names.map(squash))],
+        vendor: new Set([name, ...also].map((one) => vendorWords(`${set}.${one}`))),
         constants: new Set(field.parameters.flatMap((parameter) => constantsOf(protocol, parameter))),
         words: {
             [TITLE]: spaced(field.title, name, ...also, ...keywords),
@@ -1607,7 +1679,7 @@ function kindOf(field) {
     return `${field.role} ${field.set ? `${hexByte(field.set)},` : ""}${hexByte(field.descriptor)}`;
 }
 
-return { indexOf, find, kindOf };
+return { indexOf, find, packetIn, kindOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/code.mjs
@@ -2311,10 +2383,20 @@ function commandsOf(protocol, response) {
     return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
 }
 
+/**
+ * Whether a device can be offered a field: "" if it supports it, "perhaps" if it probably does, "not known" if its profile is
+ * incomplete and does not list it, undefined if it has no such field.
+ */
+function certaintyOn(protocol, device, field) {
+    const support = supportOn(protocol, device, field);
+    if (support) return support.evidence ? "perhaps" : "";
+    return device.incomplete ? "not known" : undefined;
+}
+
 /** What differs on a device, each in words. */
 function differencesOn(protocol, device, field) {
     const support = supportOn(protocol, device, field);
-    if (!support) return ["it is not known to support this"];
+    if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
     if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
     if (support.functions) found.push(`only ${support.functions.join(", ")}`);
@@ -2378,7 +2460,7 @@ function sourceOf(bytes, language) {
     }[language];
 }
 
-return { setsOf, requiredOperations, typicalValues, allOperations, initialValues, initialValue, counted, packetOf, optionalGroups, countOptional, shownOperations, supportOn, differencesOn, answerOf, sourceOf };
+return { setsOf, requiredOperations, typicalValues, allOperations, initialValues, initialValue, counted, packetOf, optionalGroups, countOptional, shownOperations, supportOn, certaintyOn, differencesOn, answerOf, sourceOf };
 })();
 
 // ---------------------------------------------------------------------------------------------------- tools/stream.mjs
@@ -2387,6 +2469,7 @@ modules["tools/stream"] = (() => {
 // How much a port must carry for a stream of data fields.
 
 const { SHARED_SET } = modules["mip/protocol"];
+const { certaintyOn } = modules["tools/build"];
 
 /** Bytes of a packet beside its fields. */
 const FRAME = 6;
@@ -2419,13 +2502,13 @@ function portsFor(device, baud) {
 
 /**
  * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
- * it is not known, 0 for a set that is sent as it arrives. Without a device, all.
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, all; of an incomplete profile, what is not
+ * listed too.
  */
 function streamsOf(protocol, device) {
-    const supported = device && new Set(device.supports?.map((support) => support.field));
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
     const fieldsOf = (set) =>
-        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+        (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => certaintyOn(protocol, device, field) !== undefined);
     const shared = fieldsOf(protocol.sets.get(SHARED_SET));
     return protocol.model.sets
         .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
@@ -2616,7 +2699,7 @@ modules["tools/finder"] = (() => {
 // The finder: type what you know of a field, and go to its page.
 
 const { element, links } = modules["tools/dom"];
-const { find, indexOf, kindOf } = modules["tools/find"];
+const { find, indexOf, kindOf, packetIn } = modules["tools/find"];
 
 /** Fills an element with the finder. `options` are those of `links`, and `text`, what is looked for at first. */
 function finder(root, protocol, options = {}) {
@@ -2625,9 +2708,11 @@ function finder(root, protocol, options = {}) {
     const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: options.text });
     const output = element("ul", { class: "mip-results", "aria-live": "polite" });
     const update = () => {
-        const found = find(index, input.value);
+        const packet = options.inspectorPage && packetIn(index, input.value);
+        const found = find(index, input.value).map(({ field }) => resultItem(field, to));
+        if (packet) found.unshift(element("li", {}, to.inspector(packet)));
         const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found.map(({ field }) => resultItem(field, to)) : nothing));
+        output.replaceChildren(...(found.length ? found : nothing));
     };
     const form = element(
         "form",
@@ -2670,9 +2755,9 @@ const { MipError, toHex } = modules["mip/bytes"];
 const { bitsNumber, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } = modules["mip/names"];
 const { Packet } = modules["mip/packet"];
 const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
-const { allOperations, answerOf, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, supportOn, typicalValues } = modules["tools/build"];
+const { allOperations, answerOf, certaintyOn, counted, countOptional, differencesOn, initialValue, initialValues, optionalGroups, packetOf, setsOf, shownOperations, sourceOf, typicalValues } = modules["tools/build"];
 const { LANGUAGES, programOf } = modules["tools/code"];
-const { element, links } = modules["tools/dom"];
+const { element, links, mark, profileNote } = modules["tools/dom"];
 const { bytesOfText } = modules["tools/input"];
 const { choicesOf, decimal, descriptorOf, hexByte, hexLiteral, spacedHex } = modules["tools/words"];
 
@@ -2690,6 +2775,7 @@ function builder(root, protocol, options = {}) {
         element("option", { value: "" }, "any device"),
         protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
     );
+    const note = element("div", { role: "status" });
     const choice = element("select", { id: "mip-field" });
     const start = startOf(protocol, options.field ?? "");
     const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
@@ -2719,18 +2805,16 @@ function builder(root, protocol, options = {}) {
         ]);
         groups.push(["All command sets", [protocol.acknowledge]]);
         const chosen = state.entries[0]?.field;
-        const offered = ([label, fields]) => [label, fields.filter((one) => one === chosen || supportOn(protocol, state.device, one))];
+        const offered = groups.map(([label, fields]) => [label, fieldOptions(protocol, state.device, fields, chosen)]);
         choice.replaceChildren(
-            ...groups
-                .map(offered)
-                .filter(([, fields]) => fields.length)
-                .map(([label, fields]) => fieldGroup(label, fields)),
+            ...offered.filter(([, options]) => options.length).map(([label, options]) => element("optgroup", { label }, options)),
         );
+        note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
         if (chosen) choice.value = chosen.name;
     };
     const adder = () => {
-        const fields = beside(protocol, state).filter((one) => supportOn(protocol, state.device, one));
-        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), fields.map(fieldOption));
+        const options = fieldOptions(protocol, state.device, beside(protocol, state));
+        const add = element("select", { id: "mip-add" }, element("option", { value: "" }, "…"), options);
         add.addEventListener("input", () => {
             if (!add.value) return;
             state.entries.push(entryOf(protocol, protocol.field(add.value)));
@@ -2760,6 +2844,7 @@ function builder(root, protocol, options = {}) {
     });
     root.replaceChildren(
         element("p", {}, element("label", { for: "mip-device" }, "Device "), deviceChoice),
+        note,
         element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice),
         forms,
         output,
@@ -2812,13 +2897,14 @@ function beside(protocol, { set }) {
     return [...names.map((name) => protocol.field(name)), ...(set < FIRST_DATA_SET ? [protocol.acknowledge] : [])];
 }
 
-function fieldGroup(label, fields) {
-    return element("optgroup", { label }, fields.map(fieldOption));
-}
-
-function fieldOption(field) {
-    const words = `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
-    return element("option", { value: field.name }, words);
+/** The choices among fields: those that the device may have, and the chosen one. */
+function fieldOptions(protocol, device, fields, chosen) {
+    return fields.flatMap((field) => {
+        const certainty = certaintyOn(protocol, device, field);
+        if (certainty === undefined && field !== chosen) return [];
+        const response = field.role === "response" ? " (response)" : "";
+        return [element("option", { value: field.name }, `${hexByte(field.descriptor)} ${field.title}${response}${mark(certainty)}`)];
+    });
 }
 
 // ------------------------------------------------------------------------------------------------ inputs
@@ -3320,11 +3406,18 @@ return { builder, numberOfText };
 modules["tools/bandwidth"] = (() => {
 // Bandwidth: choose data fields and rates, and see which baud rate they need.
 
-const { element, links } = modules["tools/dom"];
+const { certaintyOn } = modules["tools/build"];
+const { element, links, mark, profileNote } = modules["tools/dom"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 const { descriptorOf, hexByte } = modules["tools/words"];
 
-/** Fills an element with the tool. `options` are those of `links`, and `device`, the id of the one to begin with. */
+/** Decimations have two bytes. */
+const MOST = 0xffff;
+
+/**
+ * Fills an element with the tool. `options` are those of `links`, and `device`, the id of the one to begin with. If it is
+ * given, the fragment of the address follows the choice.
+ */
 function bandwidth(root, protocol, options = {}) {
     const to = links(options);
     const device = element(
@@ -3334,18 +3427,30 @@ function bandwidth(root, protocol, options = {}) {
         protocol.model.devices.map((one) => element("option", { value: one.id, selected: one.id === options.device }, one.title)),
     );
     const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const note = element("div", { role: "status" });
     const list = element("div");
     let rows = [];
+    const kept = new Map(); // rates that were chosen, also of what the present device does not have
     const chosen = () => protocol.model.devices.find((one) => one.id === device.value);
     const show = () => output.replaceChildren(...report(chosen(), rows));
     const layOut = () => {
+        for (const row of rows.flat()) {
+            if (row.box.checked && !row.problem()) kept.set(row.box.id, row.rate());
+            else kept.delete(row.box.id);
+        }
         const streams = streamsOf(protocol, chosen());
-        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, show, to)));
+        const certainty = (field) => certaintyOn(protocol, chosen(), field);
+        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, certainty(field), show, to)));
+        for (const row of rows.flat()) if (kept.has(row.box.id)) row.choose(kept.get(row.box.id));
+        note.replaceChildren(...[profileNote(chosen())].filter(Boolean));
         list.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
         show();
     };
-    device.addEventListener("input", layOut);
-    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), output, list);
+    device.addEventListener("input", () => {
+        layOut();
+        if (options.device !== undefined) history.replaceState(history.state, "", `#${encodeURIComponent(device.value)}`);
+    });
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), note, output, list);
     layOut();
 }
 
@@ -3373,30 +3478,46 @@ function streamTable({ set, base }, rows) {
     );
 }
 
-/** A line of the table; `rate` is that of the field, 0 while it is not chosen. */
-function streamRow(field, { set, base }, show, to) {
+/** A line of the table; `rate` is that of the field, `problem` says why there is none, and `choose` sets it. */
+function streamRow(field, { set, base }, certainty, show, to) {
     const id = `mip-stream-${set.name}-${field.name}`;
     const box = element("input", { type: "checkbox", id });
     const number = element("input", {
         type: "number",
         min: base ? 1 : 0,
+        max: base ? MOST : undefined,
         step: base ? 1 : "any",
         value: base ? 10 : 1,
+        required: true,
         "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}`,
     });
     const text = element("td", { class: "mip-rate" });
-    const rateOf = () => {
-        const given = Math.max(0, Number(number.value) || 0);
-        return base ? base / Math.max(1, Math.trunc(given)) : given;
+    const row = {
+        field,
+        box,
+        rate: () => (base ? base / Number(number.value) : Number(number.value)),
+        problem() {
+            if (number.validity.valid && Number(number.value) > 0) return undefined;
+            return base ? `a whole number from 1 to ${MOST}` : "a number above 0";
+        },
+        choose(rate) {
+            box.checked = true;
+            number.value = base ? Math.min(MOST, Math.max(1, Math.round(base / rate))) : rate;
+            tell();
+        },
     };
-    const row = { field, box, rate: () => (box.checked ? rateOf() : 0) };
+    const tell = () => {
+        const problem = row.problem();
+        text.textContent = problem ?? `${Number(row.rate().toPrecision(6))} Hz`;
+        text.classList.toggle("mip-wrong", Boolean(problem));
+    };
     const changed = () => {
-        text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
+        tell();
         show();
     };
     for (const control of [box, number]) control.addEventListener("input", changed);
-    text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
-    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}`);
+    tell();
+    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}${mark(certainty)}`);
     row.line = element(
         "tr",
         { "data-field": field.name },
@@ -3409,8 +3530,10 @@ function streamRow(field, { set, base }, show, to) {
 }
 
 function report(device, rows) {
-    const streams = rows.map((set) => set.filter(({ box }) => box.checked).map(({ field, rate }) => ({ field, rate: rate() })));
-    const { bytes, baud } = needOf(streams);
+    const chosen = rows.map((set) => set.filter(({ box }) => box.checked));
+    const wrong = chosen.flat().find((row) => row.problem());
+    if (wrong) return [element("p", { class: "mip-wrong" }, `${wrong.field.title} needs ${wrong.problem()}.`)];
+    const { bytes, baud } = needOf(chosen.map((set) => set.map(({ field, rate }) => ({ field, rate: rate() }))));
     if (!bytes) return [element("p", { class: "mip-note" }, "Choose fields below.")];
     const ports = portsFor(device, baud).map(({ port, rate }) => {
         const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is enough");
@@ -3418,7 +3541,11 @@ function report(device, rows) {
     });
     const heads = ["Port", "Smallest baud rate"].map((text) => element("th", { scope: "col" }, text));
     return [
-        element("p", { class: "mip-need" }, `${round(bytes)} bytes/s; over a UART at least ${round(baud)} Bd.`),
+        element(
+            "p",
+            { class: "mip-need" },
+            `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`,
+        ),
         ports.length > 0 && element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, ports)),
         element("p", {}, "Leave room for the answers to commands. A device drops the packets that do not fit."),
     ].filter(Boolean);
@@ -3442,7 +3569,7 @@ const { answerOf, initialValues, packetOf, typicalValues } = modules["tools/buil
 const { builder } = modules["tools/builder"];
 const { programOf } = modules["tools/code"];
 const { fragment } = modules["tools/dom"];
-const { find, indexOf } = modules["tools/find"];
+const { find, indexOf, packetIn } = modules["tools/find"];
 const { finder } = modules["tools/finder"];
 const { bytesOfText } = modules["tools/input"];
 const { inspect } = modules["tools/inspect"];
@@ -3450,7 +3577,7 @@ const { inspector } = modules["tools/inspector"];
 const { needOf, portsFor, streamsOf } = modules["tools/stream"];
 const { descriptorOf } = modules["tools/words"];
 
-return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, fragment, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
+return { bandwidth, answerOf, initialValues, packetOf, typicalValues, builder, programOf, fragment, find, indexOf, packetIn, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf, descriptorOf };
 })();
 
 globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };

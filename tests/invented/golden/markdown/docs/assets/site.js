@@ -7,6 +7,7 @@
         fieldPage: `${site}fields/{set}/{page}.html#{field}`,
         acknowledgePage: `${site}packets.html#{field}`,
         erratumPage: `${site}errata.html#erratum.{id}`,
+        inspectorPage: `${site}tools/inspector.html#{packet}`,
     };
     const loading = new Map();
 
@@ -230,12 +231,17 @@
             const parts = passages(text, new Set(fields.map(shownBy)));
             const leading = named ? [] : parts.filter(({ leads }) => leads);
             const others = parts.filter((one) => !leading.includes(one));
+            const packet = mip.packetIn(index, text);
+            const inspector = packet ? [element("li", {}, openIn("inspector", "Packet: open in the inspector", packet))] : [];
             results.replaceChildren(
+                ...list("Tools", inspector),
                 ...list("Pages", leading.map(passageItem)),
                 ...list("Fields", fields.map(fieldItem)),
                 ...list(leading.length ? "In the text" : "Pages", others.map(passageItem)),
             );
-            const counts = [count(fields.length, "field"), count(parts.length, "passage")].filter(Boolean);
+            const counts = [count(inspector.length, "packet"), count(fields.length, "field"), count(parts.length, "passage")].filter(
+                Boolean,
+            );
             status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
         };
         const begin = async () => {
