@@ -62,7 +62,7 @@ generate: $(VENV)/generator.stamp ## check the specification and write generated
 
 .PHONY: golden
 golden: $(VENV)/generator.stamp ## write the snapshot of the invented specification, tests/invented/golden
-	@$(MIPGEN) generate --spec tests/invented/spec --out tests/invented/golden
+	@PYTHONPATH=generator $(RUN) tests/golden.py
 
 .PHONY: audit
 audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER
@@ -70,23 +70,32 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
-PYTEST = PYTHONDONTWRITEBYTECODE= $(RUN) -m pytest -n $(JOBS) --dist loadgroup
+PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
-test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
+test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
 	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
 
 .PHONY: test-all
-test-all: tools-all test ## these, and those that need other compilers, machines and Pythons
+test-all: tools-all test ## these, and those that take long, or need other compilers, browsers and Pythons
 	@$(PYTEST) -m heavy $(TESTS)
+
+.PHONY: nightly
+nightly: SEED ?= $(shell date +%s)
+nightly: tools-all tools-cross tools-fuzz $(VENV)/development.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+	@NIGHTLY=1 $(PYTEST) $(TESTS)
+	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
 
 .PHONY: test-cross
 test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
 	@$(PYTEST) -m cross tests/cross
 
+# Of the generator, what runs in its process; and every printed packet in Python.
+SLOW := cli discovery install mutations output targets
 .PHONY: quick
-quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
-	@$(PYTEST) -m "not heavy" tests/generator
+quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
+	@$(PYTEST) -m "not heavy" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
+	  $(foreach spec,real invented,$(foreach way,decode_to_their_values encode_to_their_bytes,"tests/conformance/test_conformance.py::test_examples_$(way)[python-$(spec)]"))
 
 .PHONY: semver
 semver: tools-semver $(VENV)/development.stamp ## of test-all: compare the Rust crate with the last release, and with itself and an addition
@@ -110,27 +119,35 @@ $(BUILD)/biome/stamp: tests/javascript/biome/package-lock.json
 .PHONY: check
 check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
-	@$(MIPGEN) check --spec tests/invented/spec --out tests/invented/golden
+	@PYTHONPATH=generator $(RUN) tests/golden.py --check
 	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(VENV)/bin/ruff check --quiet .
 	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
 	@$(VENV)/bin/mypy --no-error-summary
+	@PYTHONPATH=generator $(VENV)/bin/lint-imports --no-logo --no-cache >$(BUILD)/imports.txt || { cat $(BUILD)/imports.txt; false; }
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
-	@find $(OUT)/c templates/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@cd tools && $(abspath $(VENV))/bin/mypy --no-error-summary
+	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
-	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
+	@echo "checked: specification, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
+
+.PHONY: workbench
+workbench: ## build the tools for the browser in build/workbench, of any output: make workbench OUT=FOLDER
+	@$(PYTHON) tools/workbench/build.py $(OUT)/javascript $(BUILD)/workbench
+
+# The site gets its tools, and a search that knows descriptors, from the workbench.
+MKDOCS = NO_MKDOCS_2_WARNING=1 MIP_WORKBENCH=$(abspath $(BUILD))/workbench $(abspath $(RUN)) -m mkdocs
 
 .PHONY: docs
-docs: $(VENV)/development.stamp ## build the reference as a searchable site in build/site
-	@mkdir -p $(BUILD)
-	@cd $(OUT)/markdown && NO_MKDOCS_2_WARNING=1 $(abspath $(RUN)) -m mkdocs build --quiet --strict --site-dir $(abspath $(BUILD))/site
+docs: workbench $(VENV)/development.stamp ## build the reference as a searchable site in build/site
+	@cd $(OUT)/markdown && $(MKDOCS) build --quiet --strict --site-dir $(abspath $(BUILD))/site
 	@echo "$(BUILD)/site/index.html"
 
 .PHONY: docs-serve
-docs-serve: $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
-	@cd $(OUT)/markdown && NO_MKDOCS_2_WARNING=1 $(abspath $(RUN)) -m mkdocs serve $(addprefix --dev-addr ,$(ADDRESS))
+docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
+	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
 
 .PHONY: bench
 bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
@@ -164,5 +181,5 @@ tools-semver:
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays
-	@rm -rf $(BUILD) .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	@rm -rf $(BUILD) .mypy_cache .ruff_cache .pytest_cache
 	@find . -name __pycache__ -type d -not -path './.venv/*' -prune -exec rm -rf {} +

@@ -6,7 +6,6 @@ import base64
 import json
 import os
 import select
-import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -23,10 +22,6 @@ FLAGS = (
 
 #: Seconds; a test that waits for an event that was already there fails, and does not hang.
 PATIENCE = 120
-
-
-def installed() -> bool:
-    return shutil.which("chromium") is not None
 
 
 class Page:

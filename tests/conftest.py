@@ -9,15 +9,24 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from support import BUILD
+from mipgen import model as m
+from support import BUILD, NIGHTLY, SEED, generate_invented
 
 # What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
 # A shell without job control makes background programs ignore Ctrl-C, and so do the programs that they start.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
+# A test that fails shows its values; a whole model in words would take half a minute.
+m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
+
 #: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
 left_out: set[tuple[str, str]] = set()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if not hasattr(config, "workerinput") and (problem := generate_invented()):
+        pytest.exit(f"the invented specification cannot be generated:\n{problem}", 1)
 
 
 def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
@@ -68,8 +77,10 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     for outcome in ("passed", "failed", "error", "skipped"):
         run.update(report.nodeid.split("/")[1] for report in reporter.stats.get(outcome, ()))
     counts = ", ".join(f"{name} {count}" for name, count in sorted(run.items()))
-    rest = "; ".join(
+    rest = [
         f"left out, for `make {target}`: {', '.join(sorted(what for of, what in left_out if of == target))}"
         for target in sorted({target for target, _ in left_out})
-    )
-    reporter.write_line(f"tests run: {counts or 'none'}; {rest or 'nothing was left out'}")
+    ]
+    if not NIGHTLY:
+        rest.append("for `make nightly`: more rounds of random tests, and other seeds")
+    reporter.write_line(f"tests run: {counts or 'none'}; seed {SEED}; {'; '.join(rest) or 'nothing was left out'}")

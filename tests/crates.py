@@ -12,11 +12,11 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-import awkward
+import difficult_sets
 import pytest
 from mipgen import model as m
-from mipgen import output, render
-from mipgen.resolve import load_model
+from mipgen.emit import output, render
+from mipgen.resolve.load import load_model
 from support import BUILD, SPECS, locked, model, need
 
 WORK = BUILD / "rust"
@@ -37,14 +37,14 @@ def write(files: dict[str, bytes], folder: Path) -> None:
 
 @cache
 def specification(spec: str) -> m.Model:
-    """`awkward` is the invented specification with some more sets."""
-    if spec != "awkward":
+    """`difficult` is the invented specification with some more sets."""
+    if spec != "difficult":
         return model(spec)
-    folder = WORK / "awkward" / "spec"
-    with locked(WORK / "awkward-spec"):
+    folder = WORK / "difficult" / "spec"
+    with locked(WORK / "difficult-spec"):
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(SPECS["invented"][0], folder)
-        for name, text in awkward.FILES.items():
+        for name, text in difficult_sets.files().items():
             (folder / "sets" / name).write_text(text, "utf-8")
         return load_model(folder)
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 import fcntl
+import importlib
 import json
 import os
+import pickle
 import shutil
 import subprocess
 import sys
@@ -17,26 +19,56 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mipgen import cli, codec, discovery
+from mipgen import cli
 from mipgen import model as m
-from mipgen.resolve import load_model
+from mipgen.base import cache as kept
+from mipgen.emit import discovery, stamp
+from mipgen.lower import codec
+from mipgen.resolve.load import load_model
 
 ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "build"
+
+#: What programs need that use the tools on top of the real package.
+PYTHONPATH = os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))
 
 #: All targets, with those of the folders that MIPGEN_TARGETS names, as `--target-path` does.
 SOURCES = discovery.sources([Path(p).resolve() for p in os.environ.get("MIPGEN_TARGETS", "").split(os.pathsep) if p])
 
 #: Target -> the operations that its conformance driver offers, of those that have a driver.
 OFFERS: dict[str, tuple[str, ...]] = {
-    name: operations for name, s in SOURCES.items() if (operations := getattr(s.load(), "CONFORMANCE", ()))
+    name: operations for name, s in SOURCES.items() if (operations := s.load().conformance)
 }
 
-#: Specification -> where it is and where its output is.
+#: Specification -> where it is and where its output is: the committed one, or what `generate_invented` has made.
 SPECS = {
     "real": (ROOT / "spec", ROOT / "generated"),
-    "invented": (ROOT / "tests/invented/spec", ROOT / "tests/invented/golden"),
+    "invented": (ROOT / "tests/invented/spec", BUILD / "invented"),
 }
+
+
+def generate_invented() -> str:
+    """Brings the output of the invented specification up to date, once before all tests; returns what prevents it.
+
+    It runs in a process of its own: what it imports would be kept by the process of the tests.
+    """
+    spec, out = SPECS["invented"]
+    command = [sys.executable, "-m", "mipgen", "generate", "--spec", str(spec), "--out", str(out)]
+    with locked(out):
+        done = subprocess.run(
+            command, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")}, capture_output=True, text=True
+        )
+    return done.stdout + done.stderr if done.returncode != 0 else ""
+
+
+#: What random tests begin with, and whether they try much more than usual: `make nightly` does, with another seed.
+SEED = int(os.environ.get("SEED") or 1)
+NIGHTLY = bool(os.environ.get("NIGHTLY"))
+
+
+def rounds(usual: int, nightly: int) -> int:
+    """How often something is tried with random values."""
+    return nightly if NIGHTLY else usual
 
 
 def offering(*operations: str) -> list[Any]:
@@ -50,9 +82,8 @@ def offering(*operations: str) -> list[Any]:
 
 def needed(target: str) -> str:
     """What `make test` leaves the driver of a target out for: tools of `make test-all`, or a missing program."""
-    module = SOURCES[target].load()
-    program = getattr(module, "PROGRAM", "")
-    return getattr(module, "NEEDS", "") or (program if program and shutil.which(program) is None else "")
+    of = SOURCES[target].load()
+    return of.needs or (of.program if of.program and shutil.which(of.program) is None else "")
 
 
 def each(*operations: str) -> Any:
@@ -67,7 +98,31 @@ def each(*operations: str) -> Any:
 
 @cache
 def model(spec: str) -> m.Model:
-    return load_model(SPECS[spec][0])
+    """The model of a specification. It is kept between runs: to resolve it takes longer than most tests."""
+    folder = SPECS[spec][0]
+    key = stamp.key([folder], "model")
+    assert key is not None
+    known = kept.get("model", key)
+    if known is None:
+        known = pickle.dumps(load_model(folder))
+        kept.put("model", {key: known})
+    found: m.Model = pickle.loads(known)
+    return found
+
+
+class later:
+    """A module that is imported when it is used for the first time: `np = later("numpy")`.
+
+    Collecting tests imports all of their modules, in every process.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith(("__", "pytest")):  # what pytest asks of all that it finds in a module
+            raise AttributeError(name)
+        return getattr(importlib.import_module(self._name), name)
 
 
 def need(tool: str) -> str:
@@ -160,7 +215,11 @@ def driver(language: str, spec: str) -> Driver:
     """The driver of a language for a specification's output; C runs under the sanitizers."""
     environment = {"PYTHON": os.environ.get("PYTHON", "") or need("python3")}
     if language == "c":
+        import c_build  # it needs this module itself
+
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
+        if SOURCES[language].ours:
+            environment["MIP_LIBRARY"] = str(c_build.archive(spec, "cc", *c_build.SANITIZED))
     if language == "rust":  # optimizing takes longer than all tests
         environment |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"}
     script, build = build_script(language), BUILD / f"conformance-{spec}-{language}"
@@ -179,7 +238,7 @@ def mypy(package: Path, *arguments: str | Path) -> subprocess.CompletedProcess[s
     with locked(known):
         return subprocess.run(
             [sys.executable, "-m", "mypy", "--strict", "--cache-dir", known, *arguments],
-            cwd=package, capture_output=True, text=True,
+            cwd=package, capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(ROOT / "tools")},
         )  # fmt: skip
 
 
@@ -205,7 +264,7 @@ def expected_parse(stream: bytes) -> dict[str, Any]:
     while at < len(stream):
         size = stream[at + 3] + 6 if at + 3 < len(stream) else len(stream) + 1
         whole = stream[at : at + size]
-        good = len(whole) == size and whole[:2] == b"ue" and whole[2] != 0
+        good = len(whole) == size and whole[:2] == b"ue" and whole[2] not in m.NO_SETS
         if good and codec.checksum(whole[:-2]) == whole[-2:]:
             packets.append(whole.hex())
             at += size
@@ -241,7 +300,8 @@ def expected_field(of: m.Model, number: int, descriptor: int, data: bytes) -> di
     except codec.CodecError as error:
         return {"descriptor": descriptor, "error": error.kind, "raw": data.hex()}
     return {
-        "descriptor": descriptor, "name": field.full_name, "role": field.role, "values": values, "trailing": trailing,
+        "descriptor": descriptor, "name": field.name_in(number), "role": field.role, "values": values,
+        "trailing": trailing,
     }  # fmt: skip
 
 
@@ -252,7 +312,8 @@ def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
             if "raw" in f:
                 parts.append((f["descriptor"], bytes.fromhex(f["raw"])))
                 continue
-            field = next((c for c in of.candidates(request["set"], f["descriptor"]) if c.full_name == f["name"]), None)
+            candidates = of.candidates(request["set"], f["descriptor"])
+            field = next((c for c in candidates if c.name_in(request["set"]) == f["name"]), None)
             if field is None:
                 raise codec.CodecError("unknown", f["name"])
             parts.append((field.descriptor, codec.encode(field, f["values"])))
@@ -288,7 +349,7 @@ def decode_request(packet: bytes) -> dict[str, Any]:
 
 
 def encode_request(number: int, field: m.Field, values: dict[str, Any]) -> dict[str, Any]:
-    entry = {"descriptor": field.descriptor, "name": field.full_name, "values": values}
+    entry = {"descriptor": field.descriptor, "name": field.name_in(number), "values": values}
     return {"op": "encode", "set": number, "fields": [entry]}
 
 
@@ -307,8 +368,8 @@ PATIENCE = 60
 @contextmanager
 def simulated(*arguments: str) -> Iterator[str]:
     """Runs a virtual device, and says where it is."""
-    command = [sys.executable, "-m", "mip_protocol", "simulate", "3dm-cv7-gnss-ins", *arguments]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", *arguments]
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None

@@ -1,14 +1,16 @@
 """What the site adds to the Markdown; MkDocs calls the functions whose names begin with `on_`.
 
 Without it the pages have the same content: anchors stand before headings, programs are folded, and the search of the
-site finds fields alone.
+site finds nothing.
 """
 
 from __future__ import annotations
 
 import html
 import json
+import os
 import re
+import shutil
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -19,12 +21,17 @@ _TITLE = re.compile(r"^# (.*?)(?: \{ #[^ ]+ \})?$", re.M)
 _HEADING = re.compile(r'<h[1-3] id="([^"]+)">(.*?)(?:<a class="headerlink".*?)?</h[1-3]>', re.S)
 _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
 
+#: The folder that `make workbench` has built. Without it the site has no tools, and its search finds text only.
+WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
+
 _texts: dict[str, Any] = {}  # the address of a page -> its title and sections
 
 
 def on_config(config: Any) -> Any:
-    """`mkdocs serve` builds more than once."""
+    """Adds the style of the tools. `mkdocs serve` builds more than once."""
     _texts.clear()
+    if WORKBENCH:
+        config["extra_css"].insert(0, "assets/tools.css")
     return config
 
 
@@ -47,9 +54,13 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Writes the texts of all pages as a script, which pages from disk may load too."""
+    """Writes the texts of all pages as a script, which pages from disk may load too, and adds the workbench."""
+    assets = Path(config["site_dir"], "assets")
     text = json.dumps([_texts[url] for url in sorted(_texts)], ensure_ascii=False, separators=(",", ":"))
-    Path(config["site_dir"], "assets/text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")
+    (assets / "text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")
+    if WORKBENCH:
+        for name in ("workbench.js", "tools.css"):
+            shutil.copy(Path(WORKBENCH, name), assets)
 
 
 def description(markdown: str) -> str:

@@ -3,6 +3,8 @@
 -- The tables describe the protocol; the code after them interprets the tables and knows no message.
 
 local VERSION = "0.1.0"
+local NAME = "mip_protocol"
+local TITLE = "MIP protocol of MicroStrain (LORD, HBK) inertial sensors"
 local PREFIX = "mip"
 local SYNC = "\117\101"
 local ACKNOWLEDGE = 0xF1
@@ -264,6 +266,251 @@ F["sensor.overrange_flags"] = {
 F["sensor.odometer_flags"] = {
   { name = "odometer", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The odometer is configured." },
 }
+F["gnss_data.llh_position_flags"] = {
+  { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
+  { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Height above the ellipsoid." },
+  { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height above mean sea level." },
+  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Horizontal accuracy." },
+  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Vertical accuracy." },
+  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
+}
+F["gnss_data.ecef_position_flags"] = {
+  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Position." },
+  { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the position." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+}
+F["gnss_data.ned_velocity_flags"] = {
+  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity vector." },
+  { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Speed in space." },
+  { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Speed over ground." },
+  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Heading." },
+  { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Accuracy of the speed." },
+  { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Accuracy of the heading." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+}
+F["gnss_data.ecef_velocity_flags"] = {
+  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity." },
+  { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the velocity." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+}
+F["gnss_data.dop_flags"] = {
+  { name = "gdop", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Geometric." },
+  { name = "pdop", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Position." },
+  { name = "hdop", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Horizontal." },
+  { name = "vdop", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Vertical." },
+  { name = "tdop", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Time." },
+  { name = "ndop", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Northing." },
+  { name = "edop", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Easting." },
+  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
+}
+F["gnss_data.utc_time_flags"] = {
+  { name = "gnss_date_time", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Date and time come from GNSS." },
+  { name = "leap_seconds_known", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The leap seconds between GPS time and UTC are known." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+}
+F["gnss_data.gps_time_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
+}
+F["gnss_data.clock_info_flags"] = {
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+F["gnss_data.fix_flags"] = {
+  { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite based augmentation." },
+  { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections." },
+}
+F["gnss_data.fix_info_flags"] = {
+  { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Type of the fix." },
+  { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of satellites." },
+  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Fix flags." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+F["gnss_data.sv_flags"] = {
+  { name = "used_for_navigation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position fix uses it." },
+  { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "It is healthy." },
+}
+F["gnss_data.sv_info_flags"] = {
+  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Channel." },
+  { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Satellite." },
+  { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Carrier to noise density ratio." },
+  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Azimuth." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
+  { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "State of the satellite." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+}
+E["gnss_data.receiver_state"] = { [0] = "off", [1] = "on", [2] = "unknown", }
+E["gnss_data.antenna_state"] = { [1] = "init", [2] = "short", [3] = "open", [4] = "good", [5] = "unknown", }
+E["gnss_data.antenna_power"] = { [0] = "off", [1] = "on", [2] = "unknown", }
+F["gnss_data.hardware_status_flags"] = {
+  { name = "sensor_state", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "State of the receiver." },
+  { name = "antenna_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "State of the antenna." },
+  { name = "antenna_power", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Supply of the antenna." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+F["gnss_data.dgps_info_flags"] = {
+  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Age." },
+  { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of the base station." },
+  { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "State of the base station." },
+  { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Number of channels." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+F["gnss_data.dgps_channel_flags"] = {
+  { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite." },
+  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Age." },
+  { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the range." },
+  { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Correction of the range rate." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+F["gnss_data.clock_info_2_flags"] = {
+  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
+  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
+  { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy of the bias." },
+  { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Accuracy of the drift." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+F["gnss_data.gps_leap_seconds_flags"] = {
+  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Leap seconds." },
+}
+E["gnss_data.sbas_system"] = { [0] = "unknown", [1] = "waas", [2] = "egnos", [3] = "msas", [4] = "gagan", }
+F["gnss_data.sbas_status"] = {
+  { name = "range_available", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "Ranging is available." },
+  { name = "corrections_available", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Corrections are available." },
+  { name = "integrity_available", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "Integrity information is available." },
+  { name = "test_mode", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "The service is in test mode." },
+}
+F["gnss_data.sbas_info_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "System." },
+  { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
+  { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Number of corrections." },
+  { name = "sbas_status", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Status of the service." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+}
+F["gnss_data.sbas_correction_flags"] = {
+  { name = "udrei", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Indicator of the range error." },
+  { name = "pseudorange_correction", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Correction of the pseudorange." },
+  { name = "iono_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the ionospheric delay." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+E["gnss_data.rf_band"] = { [0] = "unknown", [1] = "l1", [2] = "l2", [5] = "l5", }
+E["gnss_data.jamming_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
+E["gnss_data.spoofing_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
+F["gnss_data.rf_error_detection_flags"] = {
+  { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Band." },
+  { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Jamming." },
+  { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Spoofing." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+F["gnss_data.satellite_status_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Constellation." },
+  { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
+  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
+  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Azimuth." },
+  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Health." },
+  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
+}
+E["gnss_data.signal_quality"] = { [0] = "none", [1] = "searching", [2] = "acquired", [3] = "unusable", [4] = "time_locked", [5] = "fully_locked", }
+F["gnss_data.raw_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Receiver or reference station." },
+  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Tracking channel." },
+  { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Constellation." },
+  { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Satellite." },
+  { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Signal." },
+  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Signal strength." },
+  { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Signal quality." },
+  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Pseudorange." },
+  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Carrier phase." },
+  { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Doppler shift." },
+  { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Uncertainty of the pseudorange." },
+  { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "Uncertainty of the carrier phase." },
+  { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "Uncertainty of the Doppler shift." },
+  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "Lock time." },
+  { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All of them." },
+}
+F["gnss_data.base_station_indicators"] = {
+  { name = "gps", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "GPS is supported." },
+  { name = "glonass", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "GLONASS is supported." },
+  { name = "galileo", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Galileo is supported." },
+  { name = "beidou", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "BeiDou is supported." },
+  { name = "reference_station", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Reference station indicator." },
+  { name = "single_receiver", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Single receiver oscillator indicator." },
+  { name = "quarter_cycle_bit1", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "First bit of the quarter cycle indicator." },
+  { name = "quarter_cycle_bit2", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Second bit of the quarter cycle indicator." },
+  { name = "quarter_cycle_bits", at = 0, size = 2, mask = 192, shift = 6, width = 2, doc = "Quarter cycle indicator." },
+}
+F["gnss_data.base_station_info_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Position." },
+  { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Antenna height." },
+  { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Station." },
+  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Indicators." },
+  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
+}
+F["gnss_data.rtk_epoch_status"] = {
+  { name = "antenna_location_received", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Antenna location." },
+  { name = "antenna_description_received", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Antenna description." },
+  { name = "gps_received", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "GPS corrections." },
+  { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections." },
+  { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections." },
+  { name = "beidou_received", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "BeiDou corrections." },
+  { name = "using_gps_msm_messages", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004." },
+  { name = "using_glonass_msm_messages", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012." },
+  { name = "dongle_status_read_failed", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The status of the dongle could not be read." },
+}
+F["gnss_data.rtk_corrections_status_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Epoch status." },
+  { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Status of the dongle." },
+  { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Latency of GPS corrections." },
+  { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Latency of GLONASS corrections." },
+  { name = "galileo_latency", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Latency of Galileo corrections." },
+  { name = "beidou_latency", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Latency of BeiDou corrections." },
+  { name = "flags", at = 0, size = 2, mask = 255, shift = 0, width = 8, doc = "All of them." },
+}
+F["gnss_data.ephemeris_flags"] = {
+  { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
+  { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The data of the modernized navigation message are included." },
+  { name = "isc_l5", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`isc_l2c` is the correction for L5, not for L2." },
+  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
+}
+E["gnss_data.glonass_satellite_type"] = { [0] = "glonass", [1] = "glonass_m", }
+F["gnss_data.glonass_ephemeris_flags"] = {
+  { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
+  { name = "flags", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All of them." },
+}
+F["gnss_data.gps_iono_correction_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
+  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+F["gnss_data.galileo_iono_correction_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients." },
+  { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Storm flags." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+F["gnss_data.beidou_iono_correction_flags"] = {
+  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
+  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
+  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
+  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
+  { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Further coefficients." },
+  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
+}
 F["filter_data.valid_flags"] = {
   { name = "valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All values of the field are valid." },
 }
@@ -342,251 +589,6 @@ F["filter_data.cv7_status_flags"] = {
   { name = "mounting_transform_warning", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The mounting transformation is probably wrong." },
   { name = "time_sync_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "No pulse per second is detected, or the time of an external heading is too old." },
   { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution contains values that are not numbers; reset the filter." },
-}
-F["gnss_1.llh_position_flags"] = {
-  { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
-  { name = "ellipsoid_height", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Height above the ellipsoid." },
-  { name = "msl_height", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Height above mean sea level." },
-  { name = "horizontal_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Horizontal accuracy." },
-  { name = "vertical_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Vertical accuracy." },
-  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
-}
-F["gnss_1.ecef_position_flags"] = {
-  { name = "position", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Position." },
-  { name = "position_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the position." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
-}
-F["gnss_1.ned_velocity_flags"] = {
-  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity vector." },
-  { name = "speed_3d", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Speed in space." },
-  { name = "ground_speed", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Speed over ground." },
-  { name = "heading", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Heading." },
-  { name = "speed_accuracy", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Accuracy of the speed." },
-  { name = "heading_accuracy", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Accuracy of the heading." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
-}
-F["gnss_1.ecef_velocity_flags"] = {
-  { name = "velocity", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Velocity." },
-  { name = "velocity_accuracy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Accuracy of the velocity." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
-}
-F["gnss_1.dop_flags"] = {
-  { name = "gdop", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Geometric." },
-  { name = "pdop", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Position." },
-  { name = "hdop", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Horizontal." },
-  { name = "vdop", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Vertical." },
-  { name = "tdop", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Time." },
-  { name = "ndop", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Northing." },
-  { name = "edop", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Easting." },
-  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
-}
-F["gnss_1.utc_time_flags"] = {
-  { name = "gnss_date_time", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Date and time come from GNSS." },
-  { name = "leap_seconds_known", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The leap seconds between GPS time and UTC are known." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
-}
-F["gnss_1.gps_time_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "flags", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "All of them." },
-}
-F["gnss_1.clock_info_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
-  { name = "accuracy_estimate", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-F["gnss_1.fix_flags"] = {
-  { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite based augmentation." },
-  { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections." },
-}
-F["gnss_1.fix_info_flags"] = {
-  { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Type of the fix." },
-  { name = "num_sv", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of satellites." },
-  { name = "fix_flags", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Fix flags." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-F["gnss_1.sv_flags"] = {
-  { name = "used_for_navigation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position fix uses it." },
-  { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "It is healthy." },
-}
-F["gnss_1.sv_info_flags"] = {
-  { name = "channel", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Channel." },
-  { name = "satellite_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Satellite." },
-  { name = "carrier_noise_ratio", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Carrier to noise density ratio." },
-  { name = "azimuth", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Azimuth." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
-  { name = "sv_flags", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "State of the satellite." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
-}
-E["gnss_1.receiver_state"] = { [0] = "off", [1] = "on", [2] = "unknown", }
-E["gnss_1.antenna_state"] = { [1] = "init", [2] = "short", [3] = "open", [4] = "good", [5] = "unknown", }
-E["gnss_1.antenna_power"] = { [0] = "off", [1] = "on", [2] = "unknown", }
-F["gnss_1.hardware_status_flags"] = {
-  { name = "sensor_state", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "State of the receiver." },
-  { name = "antenna_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "State of the antenna." },
-  { name = "antenna_power", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Supply of the antenna." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-F["gnss_1.dgps_info_flags"] = {
-  { name = "age", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Age." },
-  { name = "base_station_id", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Number of the base station." },
-  { name = "base_station_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "State of the base station." },
-  { name = "num_channels", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Number of channels." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
-}
-F["gnss_1.dgps_channel_flags"] = {
-  { name = "satellite_id", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Satellite." },
-  { name = "age", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Age." },
-  { name = "range_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the range." },
-  { name = "range_rate_correction", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Correction of the range rate." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
-}
-F["gnss_1.clock_info_2_flags"] = {
-  { name = "bias", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Bias." },
-  { name = "drift", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Drift." },
-  { name = "bias_accuracy", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Accuracy of the bias." },
-  { name = "drift_accuracy", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Accuracy of the drift." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
-}
-F["gnss_1.gps_leap_seconds_flags"] = {
-  { name = "leap_seconds", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Leap seconds." },
-}
-E["gnss_1.sbas_system"] = { [0] = "unknown", [1] = "waas", [2] = "egnos", [3] = "msas", [4] = "gagan", }
-F["gnss_1.sbas_status"] = {
-  { name = "range_available", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "Ranging is available." },
-  { name = "corrections_available", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "Corrections are available." },
-  { name = "integrity_available", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "Integrity information is available." },
-  { name = "test_mode", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "The service is in test mode." },
-}
-F["gnss_1.sbas_info_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "sbas_system", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "System." },
-  { name = "sbas_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
-  { name = "count", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Number of corrections." },
-  { name = "sbas_status", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Status of the service." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
-}
-F["gnss_1.sbas_correction_flags"] = {
-  { name = "udrei", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Indicator of the range error." },
-  { name = "pseudorange_correction", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Correction of the pseudorange." },
-  { name = "iono_correction", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Correction of the ionospheric delay." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-E["gnss_1.rf_band"] = { [0] = "unknown", [1] = "l1", [2] = "l2", [5] = "l5", }
-E["gnss_1.jamming_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
-E["gnss_1.spoofing_state"] = { [0] = "unknown", [1] = "none", [2] = "partial", [3] = "significant", }
-F["gnss_1.rf_error_detection_flags"] = {
-  { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Band." },
-  { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Jamming." },
-  { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Spoofing." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-F["gnss_1.satellite_status_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "gnss_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Constellation." },
-  { name = "satellite_id", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Satellite." },
-  { name = "elevation", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Elevation." },
-  { name = "azimuth", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Azimuth." },
-  { name = "health", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Health." },
-  { name = "flags", at = 0, size = 2, mask = 127, shift = 0, width = 7, doc = "All of them." },
-}
-E["gnss_1.signal_quality"] = { [0] = "none", [1] = "searching", [2] = "acquired", [3] = "unusable", [4] = "time_locked", [5] = "fully_locked", }
-F["gnss_1.raw_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "receiver_id", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Receiver or reference station." },
-  { name = "tracking_channel", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Tracking channel." },
-  { name = "gnss_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Constellation." },
-  { name = "satellite_id", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Satellite." },
-  { name = "signal_id", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Signal." },
-  { name = "signal_strength", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Signal strength." },
-  { name = "quality", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Signal quality." },
-  { name = "pseudorange", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Pseudorange." },
-  { name = "carrier_phase", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Carrier phase." },
-  { name = "doppler", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Doppler shift." },
-  { name = "range_uncertainty", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Uncertainty of the pseudorange." },
-  { name = "carrier_phase_uncertainty", at = 0, size = 2, mask = 8192, shift = 13, width = 1, doc = "Uncertainty of the carrier phase." },
-  { name = "doppler_uncertainty", at = 0, size = 2, mask = 16384, shift = 14, width = 1, doc = "Uncertainty of the Doppler shift." },
-  { name = "lock_time", at = 0, size = 2, mask = 32768, shift = 15, width = 1, doc = "Lock time." },
-  { name = "flags", at = 0, size = 2, mask = 65535, shift = 0, width = 16, doc = "All of them." },
-}
-F["gnss_1.base_station_indicators"] = {
-  { name = "gps", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "GPS is supported." },
-  { name = "glonass", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "GLONASS is supported." },
-  { name = "galileo", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Galileo is supported." },
-  { name = "beidou", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "BeiDou is supported." },
-  { name = "reference_station", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Reference station indicator." },
-  { name = "single_receiver", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Single receiver oscillator indicator." },
-  { name = "quarter_cycle_bit1", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "First bit of the quarter cycle indicator." },
-  { name = "quarter_cycle_bit2", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Second bit of the quarter cycle indicator." },
-  { name = "quarter_cycle_bits", at = 0, size = 2, mask = 192, shift = 6, width = 2, doc = "Quarter cycle indicator." },
-}
-F["gnss_1.base_station_info_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "ecef_position", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Position." },
-  { name = "height", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Antenna height." },
-  { name = "station_id", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Station." },
-  { name = "indicators", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Indicators." },
-  { name = "flags", at = 0, size = 2, mask = 63, shift = 0, width = 6, doc = "All of them." },
-}
-F["gnss_1.rtk_epoch_status"] = {
-  { name = "antenna_location_received", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Antenna location." },
-  { name = "antenna_description_received", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Antenna description." },
-  { name = "gps_received", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "GPS corrections." },
-  { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections." },
-  { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections." },
-  { name = "beidou_received", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "BeiDou corrections." },
-  { name = "using_gps_msm_messages", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004." },
-  { name = "using_glonass_msm_messages", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012." },
-  { name = "dongle_status_read_failed", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The status of the dongle could not be read." },
-}
-F["gnss_1.rtk_corrections_status_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "epoch_status", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Epoch status." },
-  { name = "dongle_status", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Status of the dongle." },
-  { name = "gps_latency", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Latency of GPS corrections." },
-  { name = "glonass_latency", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Latency of GLONASS corrections." },
-  { name = "galileo_latency", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Latency of Galileo corrections." },
-  { name = "beidou_latency", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "Latency of BeiDou corrections." },
-  { name = "flags", at = 0, size = 2, mask = 255, shift = 0, width = 8, doc = "All of them." },
-}
-F["gnss_1.ephemeris_flags"] = {
-  { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
-  { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The data of the modernized navigation message are included." },
-  { name = "isc_l5", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`isc_l2c` is the correction for L5, not for L2." },
-  { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
-}
-E["gnss_1.glonass_satellite_type"] = { [0] = "glonass", [1] = "glonass_m", }
-F["gnss_1.glonass_ephemeris_flags"] = {
-  { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
-  { name = "flags", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All of them." },
-}
-F["gnss_1.gps_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
-  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
-}
-F["gnss_1.galileo_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients." },
-  { name = "disturbance_flags", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Storm flags." },
-  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
-}
-F["gnss_1.beidou_iono_correction_flags"] = {
-  { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Time of week." },
-  { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Week number." },
-  { name = "alpha", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Coefficients alpha." },
-  { name = "beta", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Coefficients beta." },
-  { name = "alpha_correction", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Further coefficients." },
-  { name = "flags", at = 0, size = 2, mask = 31, shift = 0, width = 5, doc = "All of them." },
 }
 F["system_data.gpio_pin_states"] = {
   { name = "pin_1", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "GPIO pin 1." },
@@ -699,20 +701,13 @@ S["aiding.measurement_time"] = {
   { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "Time by that clock. Unit: ns." },
 }
 
--- The layouts of fields; those of other sets are used again.
-local L = {}
-local function rows(name, found)
-  L[name] = found
-  return found
-end
-
 local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", role = "response", title = "Acknowledge",
     doc = "Answers one command field. A response, if there is one, follows it in the same packet.", least = 2,
     always = 2,
-    rows = rows("protocol.acknowledge", {
+    rows = {
       { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that is answered." },
       { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 if the command is acknowledged, else the reason why it is refused." },
-    }) }
+    } }
 
 -- Descriptor sets.
 local SETS = {}
@@ -734,314 +729,317 @@ SETS[0x95] = { number = 0x95, name = "gnss_external_2", title = "External GNSS d
 SETS[0xA0] = { number = 0xA0, name = "system_data", title = "System data", fields = {}, named = { } }
 SETS[0xFF] = { number = 0xFF, name = "shared", title = "Shared data", fields = {}, named = { [0xFF] = "Debug ticks", } }
 
-local function field(set, f)
-  f.set = set
-  local known = SETS[set].fields
-  known[f.descriptor] = known[f.descriptor] or {}
-  table.insert(known[f.descriptor], f)
+-- A field in each of its sets, where it has a name and filters of its own.
+local function field(f, places)
+  for _, place in ipairs(places) do
+    local own = setmetatable({ set = place.set, name = place.name, title = place.title }, { __index = f })
+    local known = SETS[own.set].fields
+    known[f.descriptor] = known[f.descriptor] or {}
+    table.insert(known[f.descriptor], own)
+  end
 end
-field(0x01, { descriptor = 0x01, name = "base.ping", role = "command", title = "Ping",
+field({ descriptor = 0x01, name = "base.ping", role = "command", title = "Ping",
     doc = "Checks whether a device is present and answers commands.", least = 0,
     always = 0,
-    rows = rows("base.ping", {
-    }) })
-field(0x01, { descriptor = 0x02, name = "base.set_idle", role = "command", title = "Set to idle",
+    rows = {
+    } }, { { set = 0x01, name = "base.ping", title = "Ping" }, })
+field({ descriptor = 0x02, name = "base.set_idle", role = "command", title = "Set to idle",
     doc = "Stops all data streams, and wakes a sleeping device, so that it can be configured.", least = 0,
     always = 0,
-    rows = rows("base.set_idle", {
-    }) })
-field(0x01, { descriptor = 0x03, name = "base.get_device_info", role = "command", title = "Get device information",
+    rows = {
+    } }, { { set = 0x01, name = "base.set_idle", title = "Set to idle" }, })
+field({ descriptor = 0x03, name = "base.get_device_info", role = "command", title = "Get device information",
     doc = "Gets the firmware version and the identity strings of the device.", least = 0,
     always = 0,
-    rows = rows("base.get_device_info", {
-    }) })
-field(0x01, { descriptor = 0x04, name = "base.get_device_descriptors", role = "command", title = "Get device descriptors",
+    rows = {
+    } }, { { set = 0x01, name = "base.get_device_info", title = "Get device information" }, })
+field({ descriptor = 0x04, name = "base.get_device_descriptors", role = "command", title = "Get device descriptors",
     doc = "Gets the command and data descriptors that the device supports.", least = 0,
     always = 0,
-    rows = rows("base.get_device_descriptors", {
-    }) })
-field(0x01, { descriptor = 0x05, name = "base.built_in_test", role = "command", title = "Built-in test",
+    rows = {
+    } }, { { set = 0x01, name = "base.get_device_descriptors", title = "Get device descriptors" }, })
+field({ descriptor = 0x05, name = "base.built_in_test", role = "command", title = "Built-in test",
     doc = "Runs the self test of the device and gets its result.", least = 0,
     always = 0,
     timeout = 10.0,
-    rows = rows("base.built_in_test", {
-    }) })
-field(0x01, { descriptor = 0x06, name = "base.resume", role = "command", title = "Resume",
+    rows = {
+    } }, { { set = 0x01, name = "base.built_in_test", title = "Built-in test" }, })
+field({ descriptor = 0x06, name = "base.resume", role = "command", title = "Resume",
     doc = "Ends idle mode and returns the device to the mode that it was in before.", least = 0,
     always = 0,
-    rows = rows("base.resume", {
-    }) })
-field(0x01, { descriptor = 0x07, name = "base.get_extended_descriptors", role = "command", title = "Get device descriptors (extended)",
+    rows = {
+    } }, { { set = 0x01, name = "base.resume", title = "Resume" }, })
+field({ descriptor = 0x07, name = "base.get_extended_descriptors", role = "command", title = "Get device descriptors (extended)",
     doc = "Gets the supported descriptors that did not fit into the reply of base.get_device_descriptors.", least = 0,
     always = 0,
-    rows = rows("base.get_extended_descriptors", {
-    }) })
-field(0x01, { descriptor = 0x08, name = "base.continuous_built_in_test", role = "command", title = "Continuous built-in test",
+    rows = {
+    } }, { { set = 0x01, name = "base.get_extended_descriptors", title = "Get device descriptors (extended)" }, })
+field({ descriptor = 0x08, name = "base.continuous_built_in_test", role = "command", title = "Continuous built-in test",
     doc = "Gets the flags of the tests that run all the time. It does not interrupt operation.", least = 0,
     always = 0,
-    rows = rows("base.continuous_built_in_test", {
-    }) })
-field(0x01, { descriptor = 0x09, name = "base.comm_speed", role = "command", title = "Comm port speed",
+    rows = {
+    } }, { { set = 0x01, name = "base.continuous_built_in_test", title = "Continuous built-in test" }, })
+field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "Comm port speed",
     doc = "Baud rate of one communication port.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("base.comm_speed", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." }, } },
-    }) })
-field(0x01, { descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
+    } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
+field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
     doc = "Sets the week number or the time of week of the external (GPS) time.", least = 1,
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
-    rows = rows("base.gps_time_update", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "Meaning of the value." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Time, as `field_id` says. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
-    }) })
-field(0x01, { descriptor = 0x7E, name = "base.soft_reset", role = "command", title = "Reset device",
+    } }, { { set = 0x01, name = "base.gps_time_update", title = "GPS time update" }, })
+field({ descriptor = 0x7E, name = "base.soft_reset", role = "command", title = "Reset device",
     doc = "Acknowledges the command, then resets the device immediately.", least = 0,
     always = 0,
-    rows = rows("base.soft_reset", {
-    }) })
-field(0x01, { descriptor = 0x81, name = "base.get_device_info_response", role = "response", title = "Get device information response",
+    rows = {
+    } }, { { set = 0x01, name = "base.soft_reset", title = "Reset device" }, })
+field({ descriptor = 0x81, name = "base.get_device_info_response", role = "response", title = "Get device information response",
     doc = "", least = 82,
     always = 1,
-    rows = rows("base.get_device_info_response", {
+    rows = {
       { kind = "struct", name = "device_info", record = S["base.base_device_info"], doc = "Identity of the device." },
-    }) })
-field(0x01, { descriptor = 0x82, name = "base.get_device_descriptors_response", role = "response", title = "Get device descriptors response",
+    } }, { { set = 0x01, name = "base.get_device_info_response", title = "Get device information response" }, })
+field({ descriptor = 0x82, name = "base.get_device_descriptors_response", role = "response", title = "Get device descriptors response",
     doc = "", least = 0,
     always = 1,
-    rows = rows("base.get_device_descriptors_response", {
+    rows = {
       { kind = "array", name = "descriptors", capacity = 126, size = 2, doc = "Supported descriptors: the descriptor set in the high byte, the field descriptor in the low byte.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x01, { descriptor = 0x83, name = "base.built_in_test_response", role = "response", title = "Built-in test response",
+    } }, { { set = 0x01, name = "base.get_device_descriptors_response", title = "Get device descriptors response" }, })
+field({ descriptor = 0x83, name = "base.built_in_test_response", role = "response", title = "Built-in test response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("base.built_in_test_response", {
+    rows = {
       { kind = "scalar", name = "result", type = "u32", size = 4, doc = "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV7-GNSS/INS: values of cv7_built_in_test. On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-GX5-15: values of gx5_built_in_test.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["cv7_built_in_test"] }, {device = "3dm-gx5-15", flags = F["gx5_built_in_test"] }, } },
-    }) })
-field(0x01, { descriptor = 0x84, name = "base.gps_time_update_week_number_response", role = "response", title = "GPS time update, week number",
+    } }, { { set = 0x01, name = "base.built_in_test_response", title = "Built-in test response" }, })
+field({ descriptor = 0x84, name = "base.gps_time_update_week_number_response", role = "response", title = "GPS time update, week number",
     doc = "The current week number.", least = 4,
     always = 1,
-    rows = rows("base.gps_time_update_week_number_response", {
+    rows = {
       { kind = "scalar", name = "week_number", type = "u32", size = 4, units = {"week", }, doc = "GPS week number. Unit: week." },
-    }) })
-field(0x01, { descriptor = 0x85, name = "base.gps_time_update_tow_response", role = "response", title = "GPS time update, time of week",
+    } }, { { set = 0x01, name = "base.gps_time_update_week_number_response", title = "GPS time update, week number" }, })
+field({ descriptor = 0x85, name = "base.gps_time_update_tow_response", role = "response", title = "GPS time update, time of week",
     doc = "The current time of week.", least = 4,
     always = 1,
-    rows = rows("base.gps_time_update_tow_response", {
+    rows = {
       { kind = "scalar", name = "tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week in whole seconds. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x86, name = "base.get_extended_descriptors_response", role = "response", title = "Get device descriptors (extended) response",
+    } }, { { set = 0x01, name = "base.gps_time_update_tow_response", title = "GPS time update, time of week" }, })
+field({ descriptor = 0x86, name = "base.get_extended_descriptors_response", role = "response", title = "Get device descriptors (extended) response",
     doc = "", least = 0,
     always = 1,
-    rows = rows("base.get_extended_descriptors_response", {
+    rows = {
       { kind = "array", name = "descriptors", capacity = 126, size = 2, doc = "Supported descriptors: the descriptor set in the high byte, the field descriptor in the low byte.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x01, { descriptor = 0x88, name = "base.continuous_built_in_test_response", role = "response", title = "Continuous built-in test response",
+    } }, { { set = 0x01, name = "base.get_extended_descriptors_response", title = "Get device descriptors (extended) response" }, })
+field({ descriptor = 0x88, name = "base.continuous_built_in_test_response", role = "response", title = "Continuous built-in test response",
     doc = "", least = 16,
     always = 1,
-    rows = rows("base.continuous_built_in_test_response", {
+    rows = {
       { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x01, { descriptor = 0x89, name = "base.comm_speed_response", role = "response", title = "Comm port speed response",
+    } }, { { set = 0x01, name = "base.continuous_built_in_test_response", title = "Continuous built-in test response" }, })
+field({ descriptor = 0x89, name = "base.comm_speed_response", role = "response", title = "Comm port speed response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("base.comm_speed_response", {
+    rows = {
       { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device. On the 3DM-CV7-GNSS/INS: values of comm_interface.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, } },
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
-    }) })
-field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
+    } }, { { set = 0x01, name = "base.comm_speed_response", title = "Comm port speed response" }, })
+field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
     doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("3dm.poll_imu_data", {
+    rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS Data",
+    } }, { { set = 0x0C, name = "3dm.poll_imu_data", title = "Poll IMU Data" }, })
+field({ descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS Data",
     doc = "Requests one GNSS data packet with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("3dm.poll_gnss_data", {
+    rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 83." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll Estimation Filter Data",
+    } }, { { set = 0x0C, name = "3dm.poll_gnss_data", title = "Poll GNSS Data" }, })
+field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll Estimation Filter Data",
     doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("3dm.poll_filter_data", {
+    rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA Data",
+    } }, { { set = 0x0C, name = "3dm.poll_filter_data", title = "Poll Estimation Filter Data" }, })
+field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA Data",
     doc = "Requests the listed NMEA sentences once.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("3dm.poll_nmea_data", {
+    rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." },
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
-    }) })
-field(0x0C, { descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.poll_nmea_data", title = "Poll NMEA Data" }, })
+field({ descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
     doc = "Gets the rate that is divided by the decimations of 3dm.imu_message_format.", least = 0,
     always = 0,
-    rows = rows("3dm.get_imu_base_rate", {
-    }) })
-field(0x0C, { descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
+    rows = {
+    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate", title = "Get IMU Data Base Rate" }, })
+field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
     doc = "Gets the rate that is divided by the decimations of 3dm.gnss_message_format.", least = 0,
     always = 0,
-    rows = rows("3dm.get_gnss_base_rate", {
-    }) })
-field(0x0C, { descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU Message Format",
+    rows = {
+    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS Data Base Rate" }, })
+field({ descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU Message Format",
     doc = "Fields of the sensor data packets (0x80), in order, with their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.imu_message_format", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS Message Format",
+    } }, { { set = 0x0C, name = "3dm.imu_message_format", title = "IMU Message Format" }, })
+field({ descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS Message Format",
     doc = "Fields of the GNSS data packets, in order, with their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.gnss_message_format", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation Filter Message Format",
+    } }, { { set = 0x0C, name = "3dm.gnss_message_format", title = "GNSS Message Format" }, })
+field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation Filter Message Format",
     doc = "Fields of the filter data packets (0x82), in order, with their decimations.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.filter_message_format", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.filter_message_format", title = "Estimation Filter Message Format" }, })
+field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
     doc = "Gets the rate that is divided by the decimations of 3dm.filter_message_format.", least = 0,
     always = 0,
-    rows = rows("3dm.get_filter_base_rate", {
-    }) })
-field(0x0C, { descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA Message Format",
+    rows = {
+    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get Estimation Filter Data Base Rate" }, })
+field({ descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA Message Format",
     doc = "NMEA sentences that the device streams.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.nmea_message_format", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." }, { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll Data",
+    } }, { { set = 0x0C, name = "3dm.nmea_message_format", title = "NMEA Message Format" }, })
+field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll Data",
     doc = "Requests one data packet of the descriptor set with the listed fields, in the listed order.", least = 3,
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("3dm.poll_data", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0C, { descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
+    } }, { { set = 0x0C, name = "3dm.poll_data", title = "Poll Data" }, })
+field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
     doc = "Gets the rate that is divided by the decimations of a descriptor set.", least = 1,
     always = 1,
-    rows = rows("3dm.get_base_rate", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
-    }) })
-field(0x0C, { descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message Format",
+    } }, { { set = 0x0C, name = "3dm.get_base_rate", title = "Get Data Base Rate" }, })
+field({ descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message Format",
     doc = "Fields of the data packets of a descriptor set, in order, with their decimations.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.message_format", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all of them (save, load, default)." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory Streaming",
+    } }, { { set = 0x0C, name = "3dm.message_format", title = "Message Format" }, })
+field({ descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory Streaming",
     doc = "Sets all message formats to those that technical support needs in a recording.", least = 2,
     always = 2,
-    rows = rows("3dm.factory_streaming", {
+    rows = {
       { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "What happens to the existing formats." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." },
-    }) })
-field(0x0C, { descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data Stream Control",
+    } }, { { set = 0x0C, name = "3dm.factory_streaming", title = "Factory Streaming" }, })
+field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data Stream Control",
     doc = "Switches a data stream on or off.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.data_stream_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the stream is sent. Default: true." }, } },
-    }) })
-field(0x0C, { descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
+    } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data Stream Control" }, })
+field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation Settings",
     doc = "Constellations that the GNSS receiver tracks, and how its tracking channels are shared.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.constellation_settings", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "max_channels", type = "u16", size = 2, doc = "Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." }, { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } }, } },
-    }) })
-field(0x0C, { descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
+    } }, { { set = 0x0C, name = "3dm.constellation_settings", title = "Constellation Settings" }, })
+field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
     doc = "How the GNSS receivers use satellite based augmentation.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.gnss_sbas_settings", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1. On the 3DM-GX5-35: default 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "What SBAS is used for. On the 3DM-GX5-35: default enable_ranging and enable_corrections." }, } },
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS Assisted Fix",
+    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS Settings" }, })
+field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS Assisted Fix",
     doc = "Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.gnss_assisted_fix", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Assisted fix. Default: none. On the 3DM-GX5-35: default none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
-    }) })
-field(0x0C, { descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
+    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS Assisted Fix" }, })
+field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
     doc = "Gives the GNSS receiver the current GPS time.", least = 1,
     required = { [1] = 3, [2] = 0, }, silent = { },
-    rows = rows("3dm.gnss_time_assistance", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." }, } },
-    }) })
-field(0x0C, { descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
+    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS Time Assistance" }, })
+field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS Source Control",
     doc = "Where the device takes its pulse per second from.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.pps_source_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1." }, } },
-    }) })
-field(0x0C, { descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
+    } }, { { set = 0x0C, name = "3dm.pps_source_control", title = "PPS Source Control" }, })
+field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
     doc = "Gets the types of event triggers or actions that the device has, and how many of each.", least = 1,
     always = 1,
-    rows = rows("3dm.get_event_support", {
+    rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Triggers or actions." },
-    }) })
-field(0x0C, { descriptor = 0x2B, name = "3dm.event_control", role = "command", title = "Event Control",
+    } }, { { set = 0x0C, name = "3dm.get_event_support", title = "Get Supported Events" }, })
+field({ descriptor = 0x2B, name = "3dm.event_control", role = "command", title = "Event Control",
     doc = "Enables, disables or tests an event trigger.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.event_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all configured triggers, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "New mode. Default: disabled." }, } },
-    }) })
-field(0x0C, { descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "command", title = "Get Event Trigger Status",
+    } }, { { set = 0x0C, name = "3dm.event_control", title = "Event Control" }, })
+field({ descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "command", title = "Get Event Trigger Status",
     doc = "Gets the type and the state of event triggers.", least = 1,
     always = 2,
-    rows = rows("3dm.get_event_trigger_status", {
+    rows = {
       { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested triggers; 0 requests all slots." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Trigger instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0C, { descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get Event Action Status",
+    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status", title = "Get Event Trigger Status" }, })
+field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get Event Action Status",
     doc = "Gets the type and the trigger of event actions.", least = 1,
     always = 2,
-    rows = rows("3dm.get_event_action_status", {
+    rows = {
       { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested actions; 0 requests all slots." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Action instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0C, { descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
+    } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get Event Action Status" }, })
+field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
     doc = "Kind and condition of an event trigger.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.event_trigger_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance; 0 means all (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." }, } },
@@ -1050,11 +1048,11 @@ field(0x0C, { descriptor = 0x2E, name = "3dm.event_trigger_config", role = "comm
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_trigger_gpio"], doc = "" } },
       [2] = { label = "threshold", item = { kind = "struct", name = "threshold", record = S["event_trigger_threshold"], doc = "" } },
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } }, } },
-    }) })
-field(0x0C, { descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event Action Configuration",
+    } }, { { set = 0x0C, name = "3dm.event_trigger_config", title = "Event Trigger Configuration" }, })
+field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event Action Configuration",
     doc = "Trigger and effect of an event action.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.event_action_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance; 0 means all (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." }, } },
@@ -1063,276 +1061,276 @@ field(0x0C, { descriptor = 0x2F, name = "3dm.event_action_config", role = "comma
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } }, } },
-    }) })
-field(0x0C, { descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device Start Up Settings",
+    } }, { { set = 0x0C, name = "3dm.event_action_config", title = "Event Action Configuration" }, })
+field({ descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device Start Up Settings",
     doc = "Saves, loads or resets all settings of the device at once.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     timeout = 2.0,
-    rows = rows("3dm.device_settings", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-    }) })
-field(0x0C, { descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-Vehicle Frame Transformation Euler",
+    } }, { { set = 0x0C, name = "3dm.device_settings", title = "Device Start Up Settings" }, })
+field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-Vehicle Frame Transformation Euler",
     doc = "Mounting of the sensor in the vehicle as Euler angles.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.sensor_to_vehicle_transform_euler", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis. Unit: rad." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis. Unit: rad." }, } },
-    }) })
-field(0x0C, { descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-Vehicle Frame Transformation Quaternion",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler", title = "Sensor-to-Vehicle Frame Transformation Euler" }, })
+field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-Vehicle Frame Transformation Quaternion",
     doc = "Mounting of the sensor in the vehicle as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.sensor_to_vehicle_transform_quaternion", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-Vehicle Frame Transformation Quaternion" }, })
+field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
     doc = "Mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.sensor_to_vehicle_transform_dcm", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix" }, })
+field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
     doc = "Bias that is subtracted from the scaled acceleration.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
-    rows = rows("3dm.accel_bias", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Accelerometer bias. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope Bias Configuration",
+    } }, { { set = 0x0C, name = "3dm.accel_bias", title = "Accelerometer Bias Configuration" }, })
+field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gyroscope Bias Configuration",
     doc = "Bias that is subtracted from the scaled angular rate.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
-    rows = rows("3dm.gyro_bias", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Gyroscope bias. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
+    } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope Bias Configuration" }, })
+field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
     doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias.", least = 2,
     always = 1,
     timeout = 31.0,
-    rows = rows("3dm.capture_gyro_bias", {
+    rows = {
       { kind = "scalar", name = "averaging_time_ms", type = "u16", size = 2, units = {"ms", }, doc = "Time to average over. Unit: ms. Range: 1000 to 30000." },
-    }) })
-field(0x0C, { descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer Hard Iron Offset",
+    } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture Gyroscope Bias" }, })
+field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer Hard Iron Offset",
     doc = "Offset that corrects the scaled magnetic field for hard iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
-    rows = rows("3dm.mag_hard_iron_offset", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer Soft Iron Matrix",
+    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer Hard Iron Offset" }, })
+field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer Soft Iron Matrix",
     doc = "Matrix that corrects the scaled magnetic field for soft iron.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
-    rows = rows("3dm.mag_soft_iron_matrix", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0C, { descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and Sculling Enable",
+    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix", title = "Magnetometer Soft Iron Matrix" }, })
+field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and Sculling Enable",
     doc = "Switches the compensation of coning and sculling on or off.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.coning_sculling_enable", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the compensation is on. Default: true." }, } },
-    }) })
-field(0x0C, { descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART Baud Rate",
+    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable", title = "Coning and Sculling Enable" }, })
+field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART Baud Rate",
     doc = "Baud rate of the main port.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.uart_baud_rate", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
-    }) })
-field(0x0C, { descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
+    } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
+field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
     doc = "What a GPIO pin is used for.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.gpio_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1; 0 means all pins (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." }, } },
-    }) })
-field(0x0C, { descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO State",
+    } }, { { set = 0x0C, name = "3dm.gpio_config", title = "GPIO Configuration" }, })
+field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO State",
     doc = "Sets or reads the state of a GPIO pin.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
-    rows = rows("3dm.gpio_state", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True is high." }, } },
-    }) })
-field(0x0C, { descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer Configuration",
+    } }, { { set = 0x0C, name = "3dm.gpio_state", title = "GPIO State" }, })
+field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer Configuration",
     doc = "Input from a wheel encoder.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.odometer_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." }, } },
-    }) })
-field(0x0C, { descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
+    } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
+field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
     doc = "Low-pass filter of one quantity of the sensor data.", least = 1,
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.imu_low_pass_filter", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." }, } },
-    }) })
-field(0x0C, { descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary Filter Configuration",
+    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter", title = "Advanced Low-Pass Filter Settings" }, })
+field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary Filter Configuration",
     doc = "Corrections of the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("3dm.complementary_filter", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series). On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series). On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
-    }) })
-field(0x0C, { descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor Range",
+    } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
+field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor Range",
     doc = "Measuring range of a sensor.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("3dm.sensor_range", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." }, } },
-    }) })
-field(0x0C, { descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get Calibrated Sensor Ranges",
+    } }, { { set = 0x0C, name = "3dm.sensor_range", title = "Sensor Range" }, })
+field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get Calibrated Sensor Ranges",
     doc = "Gets the ranges that a sensor supports.", least = 1,
     always = 1,
-    rows = rows("3dm.get_calibrated_sensor_ranges", {
+    rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor; not all." },
-    }) })
-field(0x0C, { descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-Pass Anti-Aliasing Filter",
+    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get Calibrated Sensor Ranges" }, })
+field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-Pass Anti-Aliasing Filter",
     doc = "Low-pass filter of a data field.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
-    rows = rows("3dm.low_pass_filter", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." }, } },
-    }) })
-field(0x0C, { descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
+    } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-Pass Anti-Aliasing Filter" }, })
+field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
     doc = "Gets the state of the device, in basic form or with counters.", least = 3,
     always = 2,
-    rows = rows("3dm.device_status", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
       { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "Level of detail of the answer." },
-    }) })
-field(0x0C, { descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU Message Format response",
+    } }, { { set = 0x0C, name = "3dm.device_status", title = "Device Status" }, })
+field({ descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU Message Format response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.imu_message_format_response", {
+    rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    }) })
-field(0x0C, { descriptor = 0x81, name = "3dm.gnss_message_format_response", role = "response", title = "GNSS Message Format response",
+    } }, { { set = 0x0C, name = "3dm.imu_message_format_response", title = "IMU Message Format response" }, })
+field({ descriptor = 0x81, name = "3dm.gnss_message_format_response", role = "response", title = "GNSS Message Format response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.gnss_message_format_response", {
+    rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    }) })
-field(0x0C, { descriptor = 0x82, name = "3dm.filter_message_format_response", role = "response", title = "Estimation Filter Message Format response",
+    } }, { { set = 0x0C, name = "3dm.gnss_message_format_response", title = "GNSS Message Format response" }, })
+field({ descriptor = 0x82, name = "3dm.filter_message_format_response", role = "response", title = "Estimation Filter Message Format response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.filter_message_format_response", {
+    rows = {
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 84, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    }) })
-field(0x0C, { descriptor = 0x83, name = "3dm.get_imu_base_rate_response", role = "response", title = "Get IMU Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.filter_message_format_response", title = "Estimation Filter Message Format response" }, })
+field({ descriptor = 0x83, name = "3dm.get_imu_base_rate_response", role = "response", title = "Get IMU Data Base Rate response",
     doc = "", least = 2,
     always = 1,
-    rows = rows("3dm.get_imu_base_rate_response", {
+    rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the sensor data. Unit: Hz." },
-    }) })
-field(0x0C, { descriptor = 0x84, name = "3dm.get_gnss_base_rate_response", role = "response", title = "Get GNSS Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.get_imu_base_rate_response", title = "Get IMU Data Base Rate response" }, })
+field({ descriptor = 0x84, name = "3dm.get_gnss_base_rate_response", role = "response", title = "Get GNSS Data Base Rate response",
     doc = "", least = 2,
     always = 1,
-    rows = rows("3dm.get_gnss_base_rate_response", {
+    rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the GNSS data. Unit: Hz." },
-    }) })
-field(0x0C, { descriptor = 0x85, name = "3dm.data_stream_control_response", role = "response", title = "Data Stream Control response",
+    } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate_response", title = "Get GNSS Data Base Rate response" }, })
+field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "response", title = "Data Stream Control response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("3dm.data_stream_control_response", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "Whether the stream is sent." },
-    }) })
-field(0x0C, { descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
+    } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
+field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("3dm.uart_baud_rate_response", {
+    rows = {
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate. Unit: Bd." },
-    }) })
-field(0x0C, { descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get Estimation Filter Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
+field({ descriptor = 0x8A, name = "3dm.get_filter_base_rate_response", role = "response", title = "Get Estimation Filter Data Base Rate response",
     doc = "", least = 2,
     always = 1,
-    rows = rows("3dm.get_filter_base_rate_response", {
+    rows = {
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate of the filter data. Unit: Hz." },
-    }) })
-field(0x0C, { descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "response", title = "Advanced Low-Pass Filter Settings response",
+    } }, { { set = 0x0C, name = "3dm.get_filter_base_rate_response", title = "Get Estimation Filter Data Base Rate response" }, })
+field({ descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role = "response", title = "Advanced Low-Pass Filter Settings response",
     doc = "", least = 6,
     always = 5,
-    rows = rows("3dm.imu_low_pass_filter_response", {
+    rows = {
       { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved." },
-    }) })
-field(0x0C, { descriptor = 0x8C, name = "3dm.nmea_message_format_response", role = "response", title = "NMEA Message Format response",
+    } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter_response", title = "Advanced Low-Pass Filter Settings response" }, })
+field({ descriptor = 0x8C, name = "3dm.nmea_message_format_response", role = "response", title = "NMEA Message Format response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.nmea_message_format_response", {
+    rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." },
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
-    }) })
-field(0x0C, { descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "response", title = "Get Data Base Rate response",
+    } }, { { set = 0x0C, name = "3dm.nmea_message_format_response", title = "NMEA Message Format response" }, })
+field({ descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "response", title = "Get Data Base Rate response",
     doc = "", least = 3,
     always = 2,
-    rows = rows("3dm.get_base_rate_response", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set given in the command." },
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz." },
-    }) })
-field(0x0C, { descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message Format response",
+    } }, { { set = 0x0C, name = "3dm.get_base_rate_response", title = "Get Data Base Rate response" }, })
+field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message Format response",
     doc = "", least = 2,
     always = 3,
-    rows = rows("3dm.message_format_response", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic Device Status",
+    } }, { { set = 0x0C, name = "3dm.message_format_response", title = "Message Format response" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "response", title = "Basic Device Status",
     doc = "State and timer.", least = 13,
     always = 5,
     constants = { { at = 2, value = "\1" }, },
-    rows = rows("3dm.device_status_basic_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic Device Status" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",
     doc = "Timer only.", least = 11,
     always = 4,
     constants = { { at = 2, value = "\1" }, },
-    rows = rows("3dm.device_status_basic_without_state_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role = "response", title = "Diagnostic Device Status",
+    } }, { { set = 0x0C, name = "3dm.device_status_basic_without_state_response", title = "Basic Device Status without a state" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role = "response", title = "Diagnostic Device Status",
     doc = "State and timer with the counters of streams and port.", least = 51,
     always = 16,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1349,12 +1347,12 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_response",
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic Device Status with GNSS",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic Device Status" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic Device Status with GNSS",
     doc = "State and timer with the counters of pulses, streams, port and receiver.", least = 77,
     always = 24,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_gnss_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1379,12 +1377,12 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_respo
       { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic Device Status with GNSS" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
     doc = "The layout with GNSS, plus what could not be started.", least = 80,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_gq4_45_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1412,12 +1410,12 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_res
       { kind = "scalar", name = "mag_init_failed", type = "bool", size = 1, doc = "Whether the magnetometer could not be started." },
       { kind = "scalar", name = "pressure_init_failed", type = "bool", size = 1, doc = "Whether the pressure sensor could not be started." },
       { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "Whether the GNSS receiver could not be started." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-RQ1-45",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gq4_45_response", title = "Diagnostic Device Status of the 3DM-GQ4-45" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-RQ1-45",
     doc = "The layout with GNSS, plus the temperature.", least = 86,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_rq1_45_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1445,12 +1443,12 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_res
       { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic Device Status of the 3DM-RQ1-45" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
     doc = "Timer with the counters of pulses, streams, port and USB.", least = 73,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_gx4_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1472,12 +1470,12 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_respon
       { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
-    }) })
-field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic Device Status of an IMU",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25" }, })
+field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic Device Status of an IMU",
     doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port.", least = 60,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
-    rows = rows("3dm.device_status_diagnostic_imu_response", {
+    rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
@@ -1499,139 +1497,139 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_respon
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes read from the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-    }) })
-field(0x0C, { descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
+    } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic Device Status of an IMU" }, })
+field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
     doc = "", least = 10,
     always = 4,
-    rows = rows("3dm.complementary_filter_response", {
+    rows = {
       { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series)." },
       { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series)." },
       { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." },
       { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." },
-    }) })
-field(0x0C, { descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", title = "Accelerometer Bias Configuration response",
+    } }, { { set = 0x0C, name = "3dm.complementary_filter_response", title = "Complementary Filter Configuration response" }, })
+field({ descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", title = "Accelerometer Bias Configuration response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("3dm.accel_bias_response", {
+    rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Accelerometer bias. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0x9B, name = "3dm.gyro_bias_response", role = "response", title = "Gyroscope Bias Configuration response",
+    } }, { { set = 0x0C, name = "3dm.accel_bias_response", title = "Accelerometer Bias Configuration response" }, })
+field({ descriptor = 0x9B, name = "3dm.gyro_bias_response", role = "response", title = "Gyroscope Bias Configuration response",
     doc = "The bias in use.", least = 12,
     always = 1,
-    rows = rows("3dm.gyro_bias_response", {
+    rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Gyroscope bias. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0x9C, name = "3dm.mag_hard_iron_offset_response", role = "response", title = "Magnetometer Hard Iron Offset response",
+    } }, { { set = 0x0C, name = "3dm.gyro_bias_response", title = "Gyroscope Bias Configuration response" }, })
+field({ descriptor = 0x9C, name = "3dm.mag_hard_iron_offset_response", role = "response", title = "Magnetometer Hard Iron Offset response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("3dm.mag_hard_iron_offset_response", {
+    rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0x9D, name = "3dm.mag_soft_iron_matrix_response", role = "response", title = "Magnetometer Soft Iron Matrix response",
+    } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset_response", title = "Magnetometer Hard Iron Offset response" }, })
+field({ descriptor = 0x9D, name = "3dm.mag_soft_iron_matrix_response", role = "response", title = "Magnetometer Soft Iron Matrix response",
     doc = "", least = 36,
     always = 1,
-    rows = rows("3dm.mag_soft_iron_matrix_response", {
+    rows = {
       { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0x9E, name = "3dm.coning_sculling_enable_response", role = "response", title = "Coning and Sculling Enable response",
+    } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix_response", title = "Magnetometer Soft Iron Matrix response" }, })
+field({ descriptor = 0x9E, name = "3dm.coning_sculling_enable_response", role = "response", title = "Coning and Sculling Enable response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("3dm.coning_sculling_enable_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the compensation is on. Default: true." },
-    }) })
-field(0x0C, { descriptor = 0xA0, name = "3dm.constellation_settings_response", role = "response", title = "Constellation Settings response",
+    } }, { { set = 0x0C, name = "3dm.coning_sculling_enable_response", title = "Coning and Sculling Enable response" }, })
+field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = "response", title = "Constellation Settings response",
     doc = "Tracking channels of the receiver and the setting of each constellation.", least = 5,
     always = 4,
-    rows = rows("3dm.constellation_settings_response", {
+    rows = {
       { kind = "scalar", name = "max_channels_available", type = "u16", size = 2, doc = "Channels that the receiver has. Unit: 1." },
       { kind = "scalar", name = "max_channels_use", type = "u16", size = 2, doc = "Maximum number of channels in use. Unit: 1." },
       { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." },
       { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "response", title = "GNSS SBAS Settings response",
+    } }, { { set = 0x0C, name = "3dm.constellation_settings_response", title = "Constellation Settings response" }, })
+field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "response", title = "GNSS SBAS Settings response",
     doc = "", least = 4,
     always = 4,
-    rows = rows("3dm.gnss_sbas_settings_response", {
+    rows = {
       { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1." },
       { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "What SBAS is used for." },
       { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." },
       { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x0C, { descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "response", title = "GNSS Assisted Fix response",
+    } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings_response", title = "GNSS SBAS Settings response" }, })
+field({ descriptor = 0xA2, name = "3dm.gnss_assisted_fix_response", role = "response", title = "GNSS Assisted Fix response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("3dm.gnss_assisted_fix_response", {
+    rows = {
       { kind = "scalar", name = "option", type = "u8", size = 1, enum = E["3dm.assisted_fix_option"], doc = "Assisted fix. Default: none." },
       { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved." },
-    }) })
-field(0x0C, { descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS Time Assistance response",
+    } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix_response", title = "GNSS Assisted Fix response" }, })
+field({ descriptor = 0xA3, name = "3dm.gnss_time_assistance_response", role = "response", title = "GNSS Time Assistance response",
     doc = "", least = 14,
     always = 3,
-    rows = rows("3dm.gnss_time_assistance_response", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number since 1980. Unit: week." },
       { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Accuracy of the time. Unit: s." },
-    }) })
-field(0x0C, { descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
+    } }, { { set = 0x0C, name = "3dm.gnss_time_assistance_response", title = "GNSS Time Assistance response" }, })
+field({ descriptor = 0xA8, name = "3dm.pps_source_control_response", role = "response", title = "PPS Source Control response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("3dm.pps_source_control_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse." },
-    }) })
-field(0x0C, { descriptor = 0xB1, name = "3dm.sensor_to_vehicle_transform_euler_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Euler response",
+    } }, { { set = 0x0C, name = "3dm.pps_source_control_response", title = "PPS Source Control response" }, })
+field({ descriptor = 0xB1, name = "3dm.sensor_to_vehicle_transform_euler_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Euler response",
     doc = "", least = 12,
     always = 3,
-    rows = rows("3dm.sensor_to_vehicle_transform_euler_response", {
+    rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis. Unit: rad." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis. Unit: rad." },
-    }) })
-field(0x0C, { descriptor = 0xB2, name = "3dm.sensor_to_vehicle_transform_quaternion_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Quaternion response",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler_response", title = "Sensor-to-Vehicle Frame Transformation Euler response" }, })
+field({ descriptor = 0xB2, name = "3dm.sensor_to_vehicle_transform_quaternion_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Quaternion response",
     doc = "", least = 16,
     always = 1,
-    rows = rows("3dm.sensor_to_vehicle_transform_quaternion_response", {
+    rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0xB3, name = "3dm.sensor_to_vehicle_transform_dcm_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion_response", title = "Sensor-to-Vehicle Frame Transformation Quaternion response" }, })
+field({ descriptor = 0xB3, name = "3dm.sensor_to_vehicle_transform_dcm_response", role = "response", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response",
     doc = "", least = 36,
     always = 1,
-    rows = rows("3dm.sensor_to_vehicle_transform_dcm_response", {
+    rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0xB4, name = "3dm.get_event_support_response", role = "response", title = "Get Supported Events response",
+    } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm_response", title = "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response" }, })
+field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "response", title = "Get Supported Events response",
     doc = "", least = 3,
     always = 4,
-    rows = rows("3dm.get_event_support_response", {
+    rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query given in the command." },
       { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances go from 1 to this. Unit: 1." },
       { kind = "counter", name = "num_entries", type = "u8", size = 1, doc = "Number of types." },
       { kind = "array", name = "entries", counter = "num_entries", capacity = 125, size = 2, doc = "The types. If query is trigger_types: type has values of event_trigger_type. If query is action_types: type has values of event_action_type.", readings = { {by = "query", value = 1, member = "type", enum = E["event_trigger_type"] }, {by = "query", value = 2, member = "type", enum = E["event_action_type"] }, }, item = { kind = "struct", name = "item", record = S["3dm.event_support_info"] } },
-    }) })
-field(0x0C, { descriptor = 0xB5, name = "3dm.event_control_response", role = "response", title = "Event Control response",
+    } }, { { set = 0x0C, name = "3dm.get_event_support_response", title = "Get Supported Events response" }, })
+field({ descriptor = 0xB5, name = "3dm.event_control_response", role = "response", title = "Event Control response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("3dm.event_control_response", {
+    rows = {
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "Mode of the trigger. Default: disabled." },
-    }) })
-field(0x0C, { descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get Event Trigger Status response",
+    } }, { { set = 0x0C, name = "3dm.event_control_response", title = "Event Control response" }, })
+field({ descriptor = 0xB6, name = "3dm.get_event_trigger_status_response", role = "response", title = "Get Event Trigger Status response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.get_event_trigger_status_response", {
+    rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
       { kind = "array", name = "triggers", counter = "count", capacity = 126, size = 2, doc = "One entry per trigger, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_trigger_status_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0xB7, name = "3dm.get_event_action_status_response", role = "response", title = "Get Event Action Status response",
+    } }, { { set = 0x0C, name = "3dm.get_event_trigger_status_response", title = "Get Event Trigger Status response" }, })
+field({ descriptor = 0xB7, name = "3dm.get_event_action_status_response", role = "response", title = "Get Event Action Status response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("3dm.get_event_action_status_response", {
+    rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
       { kind = "array", name = "actions", counter = "count", capacity = 126, size = 2, doc = "One entry per action, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_action_status_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "response", title = "Event Trigger Configuration response",
+    } }, { { set = 0x0C, name = "3dm.get_event_action_status_response", title = "Get Event Action Status response" }, })
+field({ descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "response", title = "Event Trigger Configuration response",
     doc = "", least = 2,
     always = 3,
-    rows = rows("3dm.event_trigger_config_response", {
+    rows = {
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Trigger instance." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Kind of trigger. Default: none." },
       { kind = "switch", name = "parameters", tag = "type", doc = "The condition.", cases = {
@@ -1639,11 +1637,11 @@ field(0x0C, { descriptor = 0xB8, name = "3dm.event_trigger_config_response", rol
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_trigger_gpio"], doc = "" } },
       [2] = { label = "threshold", item = { kind = "struct", name = "threshold", record = S["event_trigger_threshold"], doc = "" } },
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } },
-    }) })
-field(0x0C, { descriptor = 0xB9, name = "3dm.event_action_config_response", role = "response", title = "Event Action Configuration response",
+    } }, { { set = 0x0C, name = "3dm.event_trigger_config_response", title = "Event Trigger Configuration response" }, })
+field({ descriptor = 0xB9, name = "3dm.event_action_config_response", role = "response", title = "Event Action Configuration response",
     doc = "", least = 3,
     always = 4,
-    rows = rows("3dm.event_action_config_response", {
+    rows = {
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Action instance." },
       { kind = "scalar", name = "trigger", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_action_type"], doc = "Kind of action. Default: none." },
@@ -1651,128 +1649,128 @@ field(0x0C, { descriptor = 0xB9, name = "3dm.event_action_config_response", role
       [0] = { label = "none" },
       [1] = { label = "gpio", item = { kind = "struct", name = "gpio", record = S["event_action_gpio"], doc = "" } },
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } },
-    }) })
-field(0x0C, { descriptor = 0xC1, name = "3dm.gpio_config_response", role = "response", title = "GPIO Configuration response",
+    } }, { { set = 0x0C, name = "3dm.event_action_config_response", title = "Event Action Configuration response" }, })
+field({ descriptor = 0xC1, name = "3dm.gpio_config_response", role = "response", title = "GPIO Configuration response",
     doc = "", least = 4,
     always = 4,
-    rows = rows("3dm.gpio_config_response", {
+    rows = {
       { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1." },
       { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." },
       { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } },
       { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." },
-    }) })
-field(0x0C, { descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", title = "GPIO State response",
+    } }, { { set = 0x0C, name = "3dm.gpio_config_response", title = "GPIO Configuration response" }, })
+field({ descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", title = "GPIO State response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("3dm.gpio_state_response", {
+    rows = {
       { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True is high." },
-    }) })
-field(0x0C, { descriptor = 0xC3, name = "3dm.odometer_config_response", role = "response", title = "Odometer Configuration response",
+    } }, { { set = 0x0C, name = "3dm.gpio_state_response", title = "GPIO State response" }, })
+field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "response", title = "Odometer Configuration response",
     doc = "", least = 9,
     always = 3,
-    rows = rows("3dm.odometer_config_response", {
+    rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." },
       { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." },
-    }) })
-field(0x0C, { descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
+    } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
+field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("3dm.sensor_range_response", {
+    rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor." },
       { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." },
-    }) })
-field(0x0C, { descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", role = "response", title = "Get Calibrated Sensor Ranges response",
+    } }, { { set = 0x0C, name = "3dm.sensor_range_response", title = "Sensor Range response" }, })
+field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", role = "response", title = "Get Calibrated Sensor Ranges response",
     doc = "", least = 2,
     always = 3,
-    rows = rows("3dm.get_calibrated_sensor_ranges_response", {
+    rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor given in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
       { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "The ranges. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
-    }) })
-field(0x0C, { descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-Pass Anti-Aliasing Filter response",
+    } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get Calibrated Sensor Ranges response" }, })
+field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-Pass Anti-Aliasing Filter response",
     doc = "", least = 8,
     always = 5,
-    rows = rows("3dm.low_pass_filter_response", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
       { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of descriptor_set." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
       { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz." },
-    }) })
-field(0x0D, { descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
+    } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-Pass Anti-Aliasing Filter response" }, })
+field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
     doc = "Returns the filter to its initialization state.", least = 0,
     always = 0,
-    rows = rows("filter.reset", {
-    }) })
-field(0x0D, { descriptor = 0x02, name = "filter.set_initial_attitude", role = "command", title = "Set initial attitude",
+    rows = {
+    } }, { { set = 0x0D, name = "filter.reset", title = "Reset navigation filter" }, })
+field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command", title = "Set initial attitude",
     doc = "Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
-    rows = rows("filter.set_initial_attitude", {
+    rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
-    }) })
-field(0x0D, { descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
+    } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
+field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
     doc = "Gives the filter its initial heading; pitch and roll come from the accelerometers.", least = 4,
     always = 1,
-    rows = rows("filter.set_initial_heading", {
+    rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
-    }) })
-field(0x0D, { descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
+    } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
+field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
     doc = "Starts a filter that is configured to wait for this command.", least = 0,
     always = 0,
-    rows = rows("filter.run", {
-    }) })
-field(0x0D, { descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "command", title = "Vehicle dynamics mode",
+    rows = {
+    } }, { { set = 0x0D, name = "filter.run", title = "Run navigation filter" }, })
+field({ descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "command", title = "Vehicle dynamics mode",
     doc = "Adapts the filter to the motion that it has to expect.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.vehicle_dynamics_mode", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["filter.dynamics_mode"], doc = "Kind of vehicle. On the 3DM-GX3-45: only portable, automotive and airborne." }, } },
-    }) })
-field(0x0D, { descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", role = "command", title = "Sensor to vehicle frame transformation",
+    } }, { { set = 0x0D, name = "filter.vehicle_dynamics_mode", title = "Vehicle dynamics mode" }, })
+field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", role = "command", title = "Sensor to vehicle frame transformation",
     doc = "Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.sensor_to_vehicle_rotation_euler", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." }, } },
-    }) })
-field(0x0D, { descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler", title = "Sensor to vehicle frame transformation" }, })
+field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
     doc = "Origin of the vehicle frame, as seen from the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.sensor_to_vehicle_offset", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x13, name = "filter.antenna_offset", role = "command", title = "GNSS antenna offset",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset", title = "Sensor to vehicle offset" }, })
+field({ descriptor = 0x13, name = "filter.antenna_offset", role = "command", title = "GNSS antenna offset",
     doc = "Position of the GNSS antenna relative to the origin of the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.antenna_offset", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
+    } }, { { set = 0x0D, name = "filter.antenna_offset", title = "GNSS antenna offset" }, })
+field({ descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
     doc = "Which states the filter estimates.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.estimation_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only gyro_bias. On the 3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only gyro_bias, auto_hard_iron and auto_soft_iron. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset." }, } },
-    }) })
-field(0x0D, { descriptor = 0x15, name = "filter.gnss_source", role = "command", title = "GNSS aiding source",
+    } }, { { set = 0x0D, name = "filter.estimation_control", title = "Estimation control flags" }, })
+field({ descriptor = 0x15, name = "filter.gnss_source", role = "command", title = "GNSS aiding source",
     doc = "Which GNSS receiver aids the filter.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.gnss_source", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-GX5-45: only all_internal and external." }, } },
-    }) })
-field(0x0D, { descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
+    } }, { { set = 0x0D, name = "filter.gnss_source", title = "GNSS aiding source" }, })
+field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
     doc = "One measurement of position and velocity by a GNSS receiver of the user.", least = 70,
     always = 8,
-    rows = rows("filter.external_gnss_update", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
@@ -1781,172 +1779,172 @@ field(0x0D, { descriptor = 0x16, name = "filter.external_gnss_update", role = "c
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Standard deviation of the position. Unit: m. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
+    } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
+field({ descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
     doc = "Gives the filter one measurement of the heading of the sensor frame in the NED frame.", least = 9,
     always = 3,
-    rows = rows("filter.external_heading_update", {
+    rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
-    }) })
-field(0x0D, { descriptor = 0x18, name = "filter.heading_source", role = "command", title = "Heading update control",
+    } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
+field({ descriptor = 0x18, name = "filter.heading_source", role = "command", title = "Heading update control",
     doc = "Source of the heading that aids the filter.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.heading_source", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only none and external. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only none, mag and external. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only none, mag, gnss_velocity and external. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only none, gnss_velocity and external." }, } },
-    }) })
-field(0x0D, { descriptor = 0x19, name = "filter.auto_initialization_control", role = "command", title = "Automatic initialization",
+    } }, { { set = 0x0D, name = "filter.heading_source", title = "Heading update control" }, })
+field({ descriptor = 0x19, name = "filter.auto_initialization_control", role = "command", title = "Automatic initialization",
     doc = "Whether the filter initializes by itself when the device starts.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.auto_initialization_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-    }) })
-field(0x0D, { descriptor = 0x1A, name = "filter.accel_noise", role = "command", title = "Accelerometer noise",
+    } }, { { set = 0x0D, name = "filter.auto_initialization_control", title = "Automatic initialization" }, })
+field({ descriptor = 0x1A, name = "filter.accel_noise", role = "command", title = "Accelerometer noise",
     doc = "Standard deviation of the accelerometer noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.accel_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x1B, name = "filter.gyro_noise", role = "command", title = "Gyroscope noise",
+    } }, { { set = 0x0D, name = "filter.accel_noise", title = "Accelerometer noise" }, })
+field({ descriptor = 0x1B, name = "filter.gyro_noise", role = "command", title = "Gyroscope noise",
     doc = "Standard deviation of the gyroscope noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.gyro_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x1C, name = "filter.accel_bias_model", role = "command", title = "Accelerometer bias model",
+    } }, { { set = 0x0D, name = "filter.gyro_noise", title = "Gyroscope noise" }, })
+field({ descriptor = 0x1C, name = "filter.accel_bias_model", role = "command", title = "Accelerometer bias model",
     doc = "Parameters of the model by which the accelerometer bias drifts.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.accel_bias_model", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", title = "Gyroscope bias model",
+    } }, { { set = 0x0D, name = "filter.accel_bias_model", title = "Accelerometer bias model" }, })
+field({ descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", title = "Gyroscope bias model",
     doc = "Parameters of the model by which the gyroscope bias drifts.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.gyro_bias_model", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = "Automatic zero velocity update",
+    } }, { { set = 0x0D, name = "filter.gyro_bias_model", title = "Gyroscope bias model" }, })
+field({ descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = "Automatic zero velocity update",
     doc = "Lets the filter assume that the device is at rest while its GNSS speed is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.auto_zupt", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." }, } },
-    }) })
-field(0x0D, { descriptor = 0x1F, name = "filter.external_heading_update_with_time", role = "command", title = "External heading update with time",
+    } }, { { set = 0x0D, name = "filter.auto_zupt", title = "Automatic zero velocity update" }, })
+field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", role = "command", title = "External heading update with time",
     doc = "Gives the filter one measurement of the heading of the sensor frame with its GPS time.", least = 19,
     always = 5,
-    rows = rows("filter.external_heading_update_with_time", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
-    }) })
-field(0x0D, { descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
+    } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
+field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
     doc = "Lets the filter assume that the device is not rotating while its angular rate is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.auto_angular_zupt", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." }, } },
-    }) })
-field(0x0D, { descriptor = 0x21, name = "filter.tare_orientation", role = "command", title = "Tare orientation",
+    } }, { { set = 0x0D, name = "filter.auto_angular_zupt", title = "Zero angular rate update" }, })
+field({ descriptor = 0x21, name = "filter.tare_orientation", role = "command", title = "Tare orientation",
     doc = "Makes the present orientation in the NED frame the sensor-to-vehicle transformation.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.tare_orientation", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." }, } },
-    }) })
-field(0x0D, { descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
+    } }, { { set = 0x0D, name = "filter.tare_orientation", title = "Tare orientation" }, })
+field({ descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
     doc = "Tells the filter once that the device is at rest.", least = 0,
     always = 0,
-    rows = rows("filter.commanded_zupt", {
-    }) })
-field(0x0D, { descriptor = 0x23, name = "filter.commanded_angular_zupt", role = "command", title = "Commanded zero angular rate update",
+    rows = {
+    } }, { { set = 0x0D, name = "filter.commanded_zupt", title = "Commanded zero velocity update" }, })
+field({ descriptor = 0x23, name = "filter.commanded_angular_zupt", role = "command", title = "Commanded zero angular rate update",
     doc = "Tells the filter once that the device is not rotating.", least = 0,
     always = 0,
-    rows = rows("filter.commanded_angular_zupt", {
-    }) })
-field(0x0D, { descriptor = 0x26, name = "filter.reference_position", role = "command", title = "Set reference position",
+    rows = {
+    } }, { { set = 0x0D, name = "filter.commanded_angular_zupt", title = "Commanded zero angular rate update" }, })
+field({ descriptor = 0x26, name = "filter.reference_position", role = "command", title = "Set reference position",
     doc = "Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.reference_position", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." }, } },
-    }) })
-field(0x0D, { descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
+    } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
+field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
     doc = "Moves what the automatic magnetometer calibration has found into the fixed calibration.", least = 1,
     required = { [1] = 0, [3] = 0, }, silent = { },
-    rows = rows("filter.mag_capture_auto_calibration", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-    }) })
-field(0x0D, { descriptor = 0x28, name = "filter.gravity_noise", role = "command", title = "Gravity noise",
+    } }, { { set = 0x0D, name = "filter.mag_capture_auto_calibration", title = "Capture automatic magnetometer calibration" }, })
+field({ descriptor = 0x28, name = "filter.gravity_noise", role = "command", title = "Gravity noise",
     doc = "Standard deviation of the gravity noise that the filter assumes (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.gravity_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Standard deviation per axis. Unit: g. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x29, name = "filter.pressure_altitude_noise", role = "command", title = "Pressure altitude noise",
+    } }, { { set = 0x0D, name = "filter.gravity_noise", title = "Gravity noise" }, })
+field({ descriptor = 0x29, name = "filter.pressure_altitude_noise", role = "command", title = "Pressure altitude noise",
     doc = "Standard deviation of the noise of the pressure altitude model that the filter assumes.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.pressure_altitude_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation. Unit: m. Range: greater than 0." }, } },
-    }) })
-field(0x0D, { descriptor = 0x2B, name = "filter.hard_iron_offset_noise", role = "command", title = "Hard iron offset noise",
+    } }, { { set = 0x0D, name = "filter.pressure_altitude_noise", title = "Pressure altitude noise" }, })
+field({ descriptor = 0x2B, name = "filter.hard_iron_offset_noise", role = "command", title = "Hard iron offset noise",
     doc = "Standard deviation of the noise of the estimated hard iron offset (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.hard_iron_offset_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x2C, name = "filter.soft_iron_matrix_noise", role = "command", title = "Soft iron matrix noise",
+    } }, { { set = 0x0D, name = "filter.hard_iron_offset_noise", title = "Hard iron offset noise" }, })
+field({ descriptor = 0x2C, name = "filter.soft_iron_matrix_noise", role = "command", title = "Soft iron matrix noise",
     doc = "Standard deviation of the noise of the estimated soft iron matrix (process noise).", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.soft_iron_matrix_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x41, name = "filter.enable_measurements", role = "command", title = "Enable or disable measurements",
+    } }, { { set = 0x0D, name = "filter.soft_iron_matrix_noise", title = "Soft iron matrix noise" }, })
+field({ descriptor = 0x41, name = "filter.enable_measurements", role = "command", title = "Enable or disable measurements",
     doc = "Which inertial measurements the filter uses.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.enable_measurements", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-GX5-15: only accel." }, } },
-    }) })
-field(0x0D, { descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
+    } }, { { set = 0x0D, name = "filter.enable_measurements", title = "Enable or disable measurements" }, })
+field({ descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
     doc = "Standard deviation of the magnetometer noise that the filter assumes.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.mag_noise", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x43, name = "filter.magnetic_declination_source", role = "command", title = "Magnetic declination source",
+    } }, { { set = 0x0D, name = "filter.mag_noise", title = "Magnetometer noise" }, })
+field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "command", title = "Magnetic declination source",
     doc = "Source of the local declination of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.magnetic_declination_source", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad." }, } },
-    }) })
-field(0x0D, { descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
+    } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
+field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
     doc = "How far the filter trusts gravity measurements whose magnitude is not that of gravity.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.accel_magnitude_error_adaptive_measurement", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
@@ -1955,11 +1953,11 @@ field(0x0D, { descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_m
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." }, } },
-    }) })
-field(0x0D, { descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
+    } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement", title = "Gravity magnitude error adaptive measurement" }, })
+field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
     required = { [1] = 7, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.mag_magnitude_error_adaptive_measurement", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
@@ -1968,83 +1966,83 @@ field(0x0D, { descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_mea
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." }, } },
-    }) })
-field(0x0D, { descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
+    } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement", title = "Magnetometer magnitude error adaptive measurement" }, })
+field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
     doc = "How far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.mag_dip_angle_error_adaptive_measurement", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." }, } },
-    }) })
-field(0x0D, { descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
+    } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
+field({ descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
     doc = "What aids the altitude in addition to GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.altitude_aiding", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["filter.altitude_aiding_source"], doc = "Source of the aiding." }, } },
-    }) })
-field(0x0D, { descriptor = 0x4B, name = "filter.pitch_roll_aiding", role = "command", title = "Pitch and roll aiding",
+    } }, { { set = 0x0D, name = "filter.altitude_aiding", title = "Altitude aiding" }, })
+field({ descriptor = 0x4B, name = "filter.pitch_roll_aiding", role = "command", title = "Pitch and roll aiding",
     doc = "What aids pitch and roll while the motion is gentle.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.pitch_roll_aiding", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "aiding", type = "u8", size = 1, enum = E["filter.pitch_roll_aiding_source"], doc = "Source of the aiding." }, } },
-    }) })
-field(0x0D, { descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "command", title = "Magnetic inclination source",
+    } }, { { set = 0x0D, name = "filter.pitch_roll_aiding", title = "Pitch and roll aiding" }, })
+field({ descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "command", title = "Magnetic inclination source",
     doc = "Source of the local inclination (dip angle) of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.magnetic_inclination_source", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad." }, } },
-    }) })
-field(0x0D, { descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
+    } }, { { set = 0x0D, name = "filter.magnetic_inclination_source", title = "Magnetic inclination source" }, })
+field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
     doc = "Source of the local magnitude of the magnetic field.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.magnetic_magnitude_source", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss." }, } },
-    }) })
-field(0x0D, { descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role = "command", title = "Sensor to vehicle rotation, matrix",
+    } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source", title = "Magnetic field magnitude source" }, })
+field({ descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role = "command", title = "Sensor to vehicle rotation, matrix",
     doc = "Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.sensor_to_vehicle_rotation_dcm", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x4F, name = "filter.sensor_to_vehicle_rotation_quaternion", role = "command", title = "Sensor to vehicle rotation, quaternion",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm", title = "Sensor to vehicle rotation, matrix" }, })
+field({ descriptor = 0x4F, name = "filter.sensor_to_vehicle_rotation_quaternion", role = "command", title = "Sensor to vehicle rotation, quaternion",
     doc = "Rotation from the sensor frame to the vehicle frame as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.sensor_to_vehicle_rotation_quaternion", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x50, name = "filter.aiding_measurement_enable", role = "command", title = "Aiding measurement control",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_quaternion", title = "Sensor to vehicle rotation, quaternion" }, })
+field({ descriptor = 0x50, name = "filter.aiding_measurement_enable", role = "command", title = "Aiding measurement control",
     doc = "Enables or disables one source of aiding measurements.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("filter.aiding_measurement_enable", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source; `all` is for save, load and default. On the 3DM-CV7-AHRS: only mag, external_heading and all. On the 3DM-CV7-AR: only external_heading and all." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." }, } },
-    }) })
-field(0x0D, { descriptor = 0x51, name = "filter.kinematic_constraint", role = "command", title = "Kinematic constraint",
+    } }, { { set = 0x0D, name = "filter.aiding_measurement_enable", title = "Aiding measurement control" }, })
+field({ descriptor = 0x51, name = "filter.kinematic_constraint", role = "command", title = "Kinematic constraint",
     doc = "What the filter may take for granted about the motion, in place of measurements.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.kinematic_constraint", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "accel_constraint", type = "u8", size = 1, enum = E["filter.accel_constraint"], doc = "Assumption about the acceleration. Default: none." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "velocity_constraint", type = "u8", size = 1, enum = E["filter.velocity_constraint"], doc = "Assumption about the velocity. Default: none." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "angular_constraint", type = "u8", size = 1, enum = E["filter.angular_constraint"], doc = "Assumption about the angular rate. Default: none." }, } },
-    }) })
-field(0x0D, { descriptor = 0x52, name = "filter.initialization_config", role = "command", title = "Navigation filter initialization",
+    } }, { { set = 0x0D, name = "filter.kinematic_constraint", title = "Kinematic constraint" }, })
+field({ descriptor = 0x52, name = "filter.initialization_config", role = "command", title = "Navigation filter initialization",
     doc = "Sources and values of the initial attitude, position and velocity of the filter.", least = 1,
     required = { [1] = 9, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.initialization_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." }, } },
@@ -2055,231 +2053,231 @@ field(0x0D, { descriptor = 0x52, name = "filter.initialization_config", role = "
       { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
-    }) })
-field(0x0D, { descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
+    } }, { { set = 0x0D, name = "filter.initialization_config", title = "Navigation filter initialization" }, })
+field({ descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
     doc = "How the filter adapts to measurements that do not fit its model.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.adaptive_filter_options", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "level", type = "u8", size = 1, enum = E["filter.adaptive_level"], doc = "Strength of the adaptation. Default: 2. On the 3DM-GX5-45: only off and moderate." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time_limit", type = "u16", size = 2, units = {"ms", }, doc = "Longest time for which measurements are rejected before the filter recovers. Unit: ms." }, } },
-    }) })
-field(0x0D, { descriptor = 0x54, name = "filter.multi_antenna_offset", role = "command", title = "GNSS multi-antenna offset",
+    } }, { { set = 0x0D, name = "filter.adaptive_filter_options", title = "Adaptive filter control" }, })
+field({ descriptor = 0x54, name = "filter.multi_antenna_offset", role = "command", title = "GNSS multi-antenna offset",
     doc = "Position of the antenna of one receiver on devices with several antennas.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("filter.multi_antenna_offset", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x55, name = "filter.relative_position_config", role = "command", title = "Relative position configuration",
+    } }, { { set = 0x0D, name = "filter.multi_antenna_offset", title = "GNSS multi-antenna offset" }, })
+field({ descriptor = 0x55, name = "filter.relative_position_config", role = "command", title = "Relative position configuration",
     doc = "Reference point of the relative position that the filter reports.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.relative_position_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
+    } }, { { set = 0x0D, name = "filter.relative_position_config", title = "Relative position configuration" }, })
+field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
     doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.reference_point_lever_arm", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to move; it must be 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
+    } }, { { set = 0x0D, name = "filter.reference_point_lever_arm", title = "Reference point lever arm" }, })
+field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
     doc = "Gives the filter one measurement of the forward speed of the vehicle (along its x axis).", least = 13,
     always = 4,
-    rows = rows("filter.speed_measurement", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s." },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed, negative in reverse. Unit: m/s. Frame: vehicle." },
       { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s." },
-    }) })
-field(0x0D, { descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
+    } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
+field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
     doc = "Position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("filter.speed_lever_arm", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved: send 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x0D, { descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
+    } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
+field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
     doc = "Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.vertical_gyro_constraint_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-    }) })
-field(0x0D, { descriptor = 0x63, name = "filter.wheeled_vehicle_constraint_control", role = "command", title = "Wheeled vehicle constraint",
+    } }, { { set = 0x0D, name = "filter.vertical_gyro_constraint_control", title = "Vertical gyro constraint" }, })
+field({ descriptor = 0x63, name = "filter.wheeled_vehicle_constraint_control", role = "command", title = "Wheeled vehicle constraint",
     doc = "Lets the filter assume that the vehicle moves only along its x axis.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.wheeled_vehicle_constraint_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-    }) })
-field(0x0D, { descriptor = 0x64, name = "filter.gnss_antenna_calibration_control", role = "command", title = "GNSS antenna offset calibration",
+    } }, { { set = 0x0D, name = "filter.wheeled_vehicle_constraint_control", title = "Wheeled vehicle constraint" }, })
+field({ descriptor = 0x64, name = "filter.gnss_antenna_calibration_control", role = "command", title = "GNSS antenna offset calibration",
     doc = "Lets the filter track the error of the antenna offset.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("filter.gnss_antenna_calibration_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1." }, } },
-    }) })
-field(0x0D, { descriptor = 0x80, name = "filter.vehicle_dynamics_mode_response", role = "response", title = "Vehicle dynamics mode response",
+    } }, { { set = 0x0D, name = "filter.gnss_antenna_calibration_control", title = "GNSS antenna offset calibration" }, })
+field({ descriptor = 0x80, name = "filter.vehicle_dynamics_mode_response", role = "response", title = "Vehicle dynamics mode response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.vehicle_dynamics_mode_response", {
+    rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["filter.dynamics_mode"], doc = "Kind of vehicle." },
-    }) })
-field(0x0D, { descriptor = 0x81, name = "filter.sensor_to_vehicle_rotation_euler_response", role = "response", title = "Sensor to vehicle frame transformation response",
+    } }, { { set = 0x0D, name = "filter.vehicle_dynamics_mode_response", title = "Vehicle dynamics mode response" }, })
+field({ descriptor = 0x81, name = "filter.sensor_to_vehicle_rotation_euler_response", role = "response", title = "Sensor to vehicle frame transformation response",
     doc = "", least = 12,
     always = 3,
-    rows = rows("filter.sensor_to_vehicle_rotation_euler_response", {
+    rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." },
-    }) })
-field(0x0D, { descriptor = 0x82, name = "filter.sensor_to_vehicle_offset_response", role = "response", title = "Sensor to vehicle offset response",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler_response", title = "Sensor to vehicle frame transformation response" }, })
+field({ descriptor = 0x82, name = "filter.sensor_to_vehicle_offset_response", role = "response", title = "Sensor to vehicle offset response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.sensor_to_vehicle_offset_response", {
+    rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x83, name = "filter.antenna_offset_response", role = "response", title = "GNSS antenna offset response",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset_response", title = "Sensor to vehicle offset response" }, })
+field({ descriptor = 0x83, name = "filter.antenna_offset_response", role = "response", title = "GNSS antenna offset response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.antenna_offset_response", {
+    rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x84, name = "filter.estimation_control_response", role = "response", title = "Estimation control flags response",
+    } }, { { set = 0x0D, name = "filter.antenna_offset_response", title = "GNSS antenna offset response" }, })
+field({ descriptor = 0x84, name = "filter.estimation_control_response", role = "response", title = "Estimation control flags response",
     doc = "", least = 2,
     always = 1,
-    rows = rows("filter.estimation_control_response", {
+    rows = {
       { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate." },
-    }) })
-field(0x0D, { descriptor = 0x86, name = "filter.gnss_source_response", role = "response", title = "GNSS aiding source response",
+    } }, { { set = 0x0D, name = "filter.estimation_control_response", title = "Estimation control flags response" }, })
+field({ descriptor = 0x86, name = "filter.gnss_source_response", role = "response", title = "GNSS aiding source response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.gnss_source_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data." },
-    }) })
-field(0x0D, { descriptor = 0x87, name = "filter.heading_source_response", role = "response", title = "Heading update control response",
+    } }, { { set = 0x0D, name = "filter.gnss_source_response", title = "GNSS aiding source response" }, })
+field({ descriptor = 0x87, name = "filter.heading_source_response", role = "response", title = "Heading update control response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.heading_source_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading." },
-    }) })
-field(0x0D, { descriptor = 0x88, name = "filter.auto_initialization_control_response", role = "response", title = "Automatic initialization response",
+    } }, { { set = 0x0D, name = "filter.heading_source_response", title = "Heading update control response" }, })
+field({ descriptor = 0x88, name = "filter.auto_initialization_control_response", role = "response", title = "Automatic initialization response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.auto_initialization_control_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-    }) })
-field(0x0D, { descriptor = 0x89, name = "filter.accel_noise_response", role = "response", title = "Accelerometer noise response",
+    } }, { { set = 0x0D, name = "filter.auto_initialization_control_response", title = "Automatic initialization response" }, })
+field({ descriptor = 0x89, name = "filter.accel_noise_response", role = "response", title = "Accelerometer noise response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.accel_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x8A, name = "filter.gyro_noise_response", role = "response", title = "Gyroscope noise response",
+    } }, { { set = 0x0D, name = "filter.accel_noise_response", title = "Accelerometer noise response" }, })
+field({ descriptor = 0x8A, name = "filter.gyro_noise_response", role = "response", title = "Gyroscope noise response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.gyro_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x8B, name = "filter.accel_bias_model_response", role = "response", title = "Accelerometer bias model response",
+    } }, { { set = 0x0D, name = "filter.gyro_noise_response", title = "Gyroscope noise response" }, })
+field({ descriptor = 0x8B, name = "filter.accel_bias_model_response", role = "response", title = "Accelerometer bias model response",
     doc = "", least = 24,
     always = 2,
-    rows = rows("filter.accel_bias_model_response", {
+    rows = {
       { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x8C, name = "filter.gyro_bias_model_response", role = "response", title = "Gyroscope bias model response",
+    } }, { { set = 0x0D, name = "filter.accel_bias_model_response", title = "Accelerometer bias model response" }, })
+field({ descriptor = 0x8C, name = "filter.gyro_bias_model_response", role = "response", title = "Gyroscope bias model response",
     doc = "", least = 24,
     always = 2,
-    rows = rows("filter.gyro_bias_model_response", {
+    rows = {
       { kind = "array", name = "beta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"1/s", }, doc = "Reciprocal of the correlation time per axis. Unit: 1/s.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x8D, name = "filter.auto_zupt_response", role = "response", title = "Automatic zero velocity update response",
+    } }, { { set = 0x0D, name = "filter.gyro_bias_model_response", title = "Gyroscope bias model response" }, })
+field({ descriptor = 0x8D, name = "filter.auto_zupt_response", role = "response", title = "Automatic zero velocity update response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.auto_zupt_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." },
-    }) })
-field(0x0D, { descriptor = 0x8E, name = "filter.auto_angular_zupt_response", role = "response", title = "Zero angular rate update response",
+    } }, { { set = 0x0D, name = "filter.auto_zupt_response", title = "Automatic zero velocity update response" }, })
+field({ descriptor = 0x8E, name = "filter.auto_angular_zupt_response", role = "response", title = "Zero angular rate update response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.auto_angular_zupt_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." },
-    }) })
-field(0x0D, { descriptor = 0x90, name = "filter.reference_position_response", role = "response", title = "Set reference position response",
+    } }, { { set = 0x0D, name = "filter.auto_angular_zupt_response", title = "Zero angular rate update response" }, })
+field({ descriptor = 0x90, name = "filter.reference_position_response", role = "response", title = "Set reference position response",
     doc = "", least = 25,
     always = 4,
-    rows = rows("filter.reference_position_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh." },
       { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude. Unit: m." },
-    }) })
-field(0x0D, { descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
+    } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
+field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.gravity_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Standard deviation per axis. Unit: g. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x94, name = "filter.pressure_altitude_noise_response", role = "response", title = "Pressure altitude noise response",
+    } }, { { set = 0x0D, name = "filter.gravity_noise_response", title = "Gravity noise response" }, })
+field({ descriptor = 0x94, name = "filter.pressure_altitude_noise_response", role = "response", title = "Pressure altitude noise response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("filter.pressure_altitude_noise_response", {
+    rows = {
       { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Standard deviation. Unit: m. Range: greater than 0." },
-    }) })
-field(0x0D, { descriptor = 0x96, name = "filter.hard_iron_offset_noise_response", role = "response", title = "Hard iron offset noise response",
+    } }, { { set = 0x0D, name = "filter.pressure_altitude_noise_response", title = "Pressure altitude noise response" }, })
+field({ descriptor = 0x96, name = "filter.hard_iron_offset_noise_response", role = "response", title = "Hard iron offset noise response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.hard_iron_offset_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0x97, name = "filter.soft_iron_matrix_noise_response", role = "response", title = "Soft iron matrix noise response",
+    } }, { { set = 0x0D, name = "filter.hard_iron_offset_noise_response", title = "Hard iron offset noise response" }, })
+field({ descriptor = 0x97, name = "filter.soft_iron_matrix_noise_response", role = "response", title = "Soft iron matrix noise response",
     doc = "", least = 36,
     always = 1,
-    rows = rows("filter.soft_iron_matrix_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xA1, name = "filter.tare_orientation_response", role = "response", title = "Tare orientation response",
+    } }, { { set = 0x0D, name = "filter.soft_iron_matrix_noise_response", title = "Soft iron matrix noise response" }, })
+field({ descriptor = 0xA1, name = "filter.tare_orientation_response", role = "response", title = "Tare orientation response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.tare_orientation_response", {
+    rows = {
       { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes that are tared." },
-    }) })
-field(0x0D, { descriptor = 0xB0, name = "filter.enable_measurements_response", role = "response", title = "Enable or disable measurements response",
+    } }, { { set = 0x0D, name = "filter.tare_orientation_response", title = "Tare orientation response" }, })
+field({ descriptor = 0xB0, name = "filter.enable_measurements_response", role = "response", title = "Enable or disable measurements response",
     doc = "", least = 2,
     always = 1,
-    rows = rows("filter.enable_measurements_response", {
+    rows = {
       { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use." },
-    }) })
-field(0x0D, { descriptor = 0xB1, name = "filter.mag_noise_response", role = "response", title = "Magnetometer noise response",
+    } }, { { set = 0x0D, name = "filter.enable_measurements_response", title = "Enable or disable measurements response" }, })
+field({ descriptor = 0xB1, name = "filter.mag_noise_response", role = "response", title = "Magnetometer noise response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("filter.mag_noise_response", {
+    rows = {
       { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xB2, name = "filter.magnetic_declination_source_response", role = "response", title = "Magnetic declination source response",
+    } }, { { set = 0x0D, name = "filter.mag_noise_response", title = "Magnetometer noise response" }, })
+field({ descriptor = 0xB2, name = "filter.magnetic_declination_source_response", role = "response", title = "Magnetic declination source response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.magnetic_declination_source_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination." },
       { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad." },
-    }) })
-field(0x0D, { descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measurement_response", role = "response", title = "Gravity magnitude error adaptive measurement response",
+    } }, { { set = 0x0D, name = "filter.magnetic_declination_source_response", title = "Magnetic declination source response" }, })
+field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measurement_response", role = "response", title = "Gravity magnitude error adaptive measurement response",
     doc = "", least = 25,
     always = 7,
-    rows = rows("filter.accel_magnitude_error_adaptive_measurement_response", {
+    rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
@@ -2287,11 +2285,11 @@ field(0x0D, { descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_m
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2." },
-    }) })
-field(0x0D, { descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measurement_response", role = "response", title = "Magnetometer magnitude error adaptive measurement response",
+    } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement_response", title = "Gravity magnitude error adaptive measurement response" }, })
+field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measurement_response", role = "response", title = "Magnetometer magnitude error adaptive measurement response",
     doc = "", least = 25,
     always = 7,
-    rows = rows("filter.mag_magnitude_error_adaptive_measurement_response", {
+    rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
@@ -2299,74 +2297,74 @@ field(0x0D, { descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_mea
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss." },
-    }) })
-field(0x0D, { descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measurement_response", role = "response", title = "Magnetometer dip angle error adaptive measurement response",
+    } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement_response", title = "Magnetometer magnitude error adaptive measurement response" }, })
+field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measurement_response", role = "response", title = "Magnetometer dip angle error adaptive measurement response",
     doc = "", least = 17,
     always = 5,
-    rows = rows("filter.mag_dip_angle_error_adaptive_measurement_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." },
-    }) })
-field(0x0D, { descriptor = 0xB7, name = "filter.altitude_aiding_response", role = "response", title = "Altitude aiding response",
+    } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
+field({ descriptor = 0xB7, name = "filter.altitude_aiding_response", role = "response", title = "Altitude aiding response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.altitude_aiding_response", {
+    rows = {
       { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["filter.altitude_aiding_source"], doc = "Source of the aiding." },
-    }) })
-field(0x0D, { descriptor = 0xBB, name = "filter.pitch_roll_aiding_response", role = "response", title = "Pitch and roll aiding response",
+    } }, { { set = 0x0D, name = "filter.altitude_aiding_response", title = "Altitude aiding response" }, })
+field({ descriptor = 0xBB, name = "filter.pitch_roll_aiding_response", role = "response", title = "Pitch and roll aiding response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.pitch_roll_aiding_response", {
+    rows = {
       { kind = "scalar", name = "aiding", type = "u8", size = 1, enum = E["filter.pitch_roll_aiding_source"], doc = "Source of the aiding." },
-    }) })
-field(0x0D, { descriptor = 0xBC, name = "filter.magnetic_inclination_source_response", role = "response", title = "Magnetic inclination source response",
+    } }, { { set = 0x0D, name = "filter.pitch_roll_aiding_response", title = "Pitch and roll aiding response" }, })
+field({ descriptor = 0xBC, name = "filter.magnetic_inclination_source_response", role = "response", title = "Magnetic inclination source response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.magnetic_inclination_source_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." },
       { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination; used only if `source` is manual. Unit: rad." },
-    }) })
-field(0x0D, { descriptor = 0xBD, name = "filter.magnetic_magnitude_source_response", role = "response", title = "Magnetic field magnitude source response",
+    } }, { { set = 0x0D, name = "filter.magnetic_inclination_source_response", title = "Magnetic inclination source response" }, })
+field({ descriptor = 0xBD, name = "filter.magnetic_magnitude_source_response", role = "response", title = "Magnetic field magnitude source response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.magnetic_magnitude_source_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." },
       { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss." },
-    }) })
-field(0x0D, { descriptor = 0xBE, name = "filter.sensor_to_vehicle_rotation_dcm_response", role = "response", title = "Sensor to vehicle rotation, matrix response",
+    } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source_response", title = "Magnetic field magnitude source response" }, })
+field({ descriptor = 0xBE, name = "filter.sensor_to_vehicle_rotation_dcm_response", role = "response", title = "Sensor to vehicle rotation, matrix response",
     doc = "", least = 36,
     always = 1,
-    rows = rows("filter.sensor_to_vehicle_rotation_dcm_response", {
+    rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xBF, name = "filter.sensor_to_vehicle_rotation_quaternion_response", role = "response", title = "Sensor to vehicle rotation, quaternion response",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm_response", title = "Sensor to vehicle rotation, matrix response" }, })
+field({ descriptor = 0xBF, name = "filter.sensor_to_vehicle_rotation_quaternion_response", role = "response", title = "Sensor to vehicle rotation, quaternion response",
     doc = "", least = 16,
     always = 1,
-    rows = rows("filter.sensor_to_vehicle_rotation_quaternion_response", {
+    rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xD0, name = "filter.aiding_measurement_enable_response", role = "response", title = "Aiding measurement control response",
+    } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_quaternion_response", title = "Sensor to vehicle rotation, quaternion response" }, })
+field({ descriptor = 0xD0, name = "filter.aiding_measurement_enable_response", role = "response", title = "Aiding measurement control response",
     doc = "", least = 3,
     always = 2,
-    rows = rows("filter.aiding_measurement_enable_response", {
+    rows = {
       { kind = "scalar", name = "aiding_source", type = "u16", size = 2, enum = E["filter.aiding_source"], doc = "The source." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the filter uses the source." },
-    }) })
-field(0x0D, { descriptor = 0xD1, name = "filter.kinematic_constraint_response", role = "response", title = "Kinematic constraint response",
+    } }, { { set = 0x0D, name = "filter.aiding_measurement_enable_response", title = "Aiding measurement control response" }, })
+field({ descriptor = 0xD1, name = "filter.kinematic_constraint_response", role = "response", title = "Kinematic constraint response",
     doc = "", least = 3,
     always = 3,
-    rows = rows("filter.kinematic_constraint_response", {
+    rows = {
       { kind = "scalar", name = "accel_constraint", type = "u8", size = 1, enum = E["filter.accel_constraint"], doc = "Assumption about the acceleration. Default: none." },
       { kind = "scalar", name = "velocity_constraint", type = "u8", size = 1, enum = E["filter.velocity_constraint"], doc = "Assumption about the velocity. Default: none." },
       { kind = "scalar", name = "angular_constraint", type = "u8", size = 1, enum = E["filter.angular_constraint"], doc = "Assumption about the angular rate. Default: none." },
-    }) })
-field(0x0D, { descriptor = 0xD2, name = "filter.initialization_config_response", role = "response", title = "Navigation filter initialization response",
+    } }, { { set = 0x0D, name = "filter.kinematic_constraint_response", title = "Kinematic constraint response" }, })
+field({ descriptor = 0xD2, name = "filter.initialization_config_response", role = "response", title = "Navigation filter initialization response",
     doc = "", least = 40,
     always = 9,
-    rows = rows("filter.initialization_config_response", {
+    rows = {
       { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." },
       { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." },
       { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined." },
@@ -2376,90 +2374,90 @@ field(0x0D, { descriptor = 0xD2, name = "filter.initialization_config_response",
       { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
-    }) })
-field(0x0D, { descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
+    } }, { { set = 0x0D, name = "filter.initialization_config_response", title = "Navigation filter initialization response" }, })
+field({ descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
     doc = "", least = 3,
     always = 2,
-    rows = rows("filter.adaptive_filter_options_response", {
+    rows = {
       { kind = "scalar", name = "level", type = "u8", size = 1, enum = E["filter.adaptive_level"], doc = "Strength of the adaptation. Default: 2." },
       { kind = "scalar", name = "time_limit", type = "u16", size = 2, units = {"ms", }, doc = "Longest time for which measurements are rejected before the filter recovers. Unit: ms." },
-    }) })
-field(0x0D, { descriptor = 0xD4, name = "filter.multi_antenna_offset_response", role = "response", title = "GNSS multi-antenna offset response",
+    } }, { { set = 0x0D, name = "filter.adaptive_filter_options_response", title = "Adaptive filter control response" }, })
+field({ descriptor = 0xD4, name = "filter.multi_antenna_offset_response", role = "response", title = "GNSS multi-antenna offset response",
     doc = "", least = 13,
     always = 2,
-    rows = rows("filter.multi_antenna_offset_response", {
+    rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." },
       { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xD5, name = "filter.relative_position_config_response", role = "response", title = "Relative position configuration response",
+    } }, { { set = 0x0D, name = "filter.multi_antenna_offset_response", title = "GNSS multi-antenna offset response" }, })
+field({ descriptor = 0xD5, name = "filter.relative_position_config_response", role = "response", title = "Relative position configuration response",
     doc = "", least = 26,
     always = 3,
-    rows = rows("filter.relative_position_config_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." },
       { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-    }) })
-field(0x0D, { descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", role = "response", title = "Reference point lever arm response",
+    } }, { { set = 0x0D, name = "filter.relative_position_config_response", title = "Relative position configuration response" }, })
+field({ descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", role = "response", title = "Reference point lever arm response",
     doc = "", least = 13,
     always = 2,
-    rows = rows("filter.reference_point_lever_arm_response", {
+    rows = {
       { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "The point." },
       { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
+    } }, { { set = 0x0D, name = "filter.reference_point_lever_arm_response", title = "Reference point lever arm response" }, })
+field({ descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
     doc = "", least = 13,
     always = 2,
-    rows = rows("filter.speed_lever_arm_response", {
+    rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved." },
       { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0D, { descriptor = 0xE2, name = "filter.vertical_gyro_constraint_control_response", role = "response", title = "Vertical gyro constraint response",
+    } }, { { set = 0x0D, name = "filter.speed_lever_arm_response", title = "Speed measurement lever arm response" }, })
+field({ descriptor = 0xE2, name = "filter.vertical_gyro_constraint_control_response", role = "response", title = "Vertical gyro constraint response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.vertical_gyro_constraint_control_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-    }) })
-field(0x0D, { descriptor = 0xE3, name = "filter.wheeled_vehicle_constraint_control_response", role = "response", title = "Wheeled vehicle constraint response",
+    } }, { { set = 0x0D, name = "filter.vertical_gyro_constraint_control_response", title = "Vertical gyro constraint response" }, })
+field({ descriptor = 0xE3, name = "filter.wheeled_vehicle_constraint_control_response", role = "response", title = "Wheeled vehicle constraint response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("filter.wheeled_vehicle_constraint_control_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-    }) })
-field(0x0D, { descriptor = 0xE4, name = "filter.gnss_antenna_calibration_control_response", role = "response", title = "GNSS antenna offset calibration response",
+    } }, { { set = 0x0D, name = "filter.wheeled_vehicle_constraint_control_response", title = "Wheeled vehicle constraint response" }, })
+field({ descriptor = 0xE4, name = "filter.gnss_antenna_calibration_control_response", role = "response", title = "GNSS antenna offset calibration response",
     doc = "", least = 5,
     always = 2,
-    rows = rows("filter.gnss_antenna_calibration_control_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0." },
-    }) })
-field(0x0E, { descriptor = 0x01, name = "gnss.receiver_info", role = "command", title = "Receiver info",
+    } }, { { set = 0x0D, name = "filter.gnss_antenna_calibration_control_response", title = "GNSS antenna offset calibration response" }, })
+field({ descriptor = 0x01, name = "gnss.receiver_info", role = "command", title = "Receiver info",
     doc = "Gets the GNSS receivers of the device.", least = 0,
     always = 0,
-    rows = rows("gnss.receiver_info", {
-    }) })
-field(0x0E, { descriptor = 0x02, name = "gnss.signal_config", role = "command", title = "Signal configuration",
+    rows = {
+    } }, { { set = 0x0E, name = "gnss.receiver_info", title = "Receiver info" }, })
+field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title = "Signal configuration",
     doc = "GNSS signals that the device uses.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("gnss.signal_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "gps_enable", type = "u8", size = 1, flags = F["gnss.gps_signals"], doc = "GPS signals." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "glonass_enable", type = "u8", size = 1, flags = F["gnss.glonass_signals"], doc = "GLONASS signals." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "galileo_enable", type = "u8", size = 1, flags = F["gnss.galileo_signals"], doc = "Galileo signals." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
-    }) })
-field(0x0E, { descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
+    } }, { { set = 0x0E, name = "gnss.signal_config", title = "Signal configuration" }, })
+field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
     doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("gnss.rtk_dongle_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the dongle, 0 disables it. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
-    }) })
-field(0x0E, { descriptor = 0x20, name = "gnss.spartn_config", role = "command", title = "SPARTN configuration",
+    } }, { { set = 0x0E, name = "gnss.rtk_dongle_config", title = "RTK dongle configuration" }, })
+field({ descriptor = 0x20, name = "gnss.spartn_config", role = "command", title = "SPARTN configuration",
     doc = "Source and keys of SPARTN corrections.", least = 1,
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("gnss.spartn_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." }, } },
@@ -2469,35 +2467,35 @@ field(0x0E, { descriptor = 0x20, name = "gnss.spartn_config", role = "command", 
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "next_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the next key is valid. Unit: s." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "next_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the next key is valid. Unit: week." }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
-    }) })
-field(0x0E, { descriptor = 0x81, name = "gnss.receiver_info_response", role = "response", title = "Receiver info response",
+    } }, { { set = 0x0E, name = "gnss.spartn_config", title = "SPARTN configuration" }, })
+field({ descriptor = 0x81, name = "gnss.receiver_info_response", role = "response", title = "Receiver info response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("gnss.receiver_info_response", {
+    rows = {
       { kind = "counter", name = "num_receivers", type = "u8", size = 1, doc = "Number of physical receivers." },
       { kind = "array", name = "receiver_info", counter = "num_receivers", capacity = 7, size = 34, doc = "The receivers.", item = { kind = "struct", name = "item", record = S["gnss.receiver_info_entry"] } },
-    }) })
-field(0x0E, { descriptor = 0x82, name = "gnss.signal_config_response", role = "response", title = "Signal configuration response",
+    } }, { { set = 0x0E, name = "gnss.receiver_info_response", title = "Receiver info response" }, })
+field({ descriptor = 0x82, name = "gnss.signal_config_response", role = "response", title = "Signal configuration response",
     doc = "", least = 8,
     always = 5,
-    rows = rows("gnss.signal_config_response", {
+    rows = {
       { kind = "scalar", name = "gps_enable", type = "u8", size = 1, flags = F["gnss.gps_signals"], doc = "GPS signals." },
       { kind = "scalar", name = "glonass_enable", type = "u8", size = 1, flags = F["gnss.glonass_signals"], doc = "GLONASS signals." },
       { kind = "scalar", name = "galileo_enable", type = "u8", size = 1, flags = F["gnss.galileo_signals"], doc = "Galileo signals." },
       { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0E, { descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
+    } }, { { set = 0x0E, name = "gnss.signal_config_response", title = "Signal configuration response" }, })
+field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
     doc = "", least = 4,
     always = 2,
-    rows = rows("gnss.rtk_dongle_config_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the dongle, 0 disables it. Range: 0 to 1." },
       { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0E, { descriptor = 0xA0, name = "gnss.spartn_config_response", role = "response", title = "SPARTN configuration response",
+    } }, { { set = 0x0E, name = "gnss.rtk_dongle_config_response", title = "RTK dongle configuration response" }, })
+field({ descriptor = 0xA0, name = "gnss.spartn_config_response", role = "response", title = "SPARTN configuration response",
     doc = "", least = 78,
     always = 8,
-    rows = rows("gnss.spartn_config_response", {
+    rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." },
       { kind = "scalar", name = "current_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the current key is valid. Unit: s." },
@@ -2506,140 +2504,140 @@ field(0x0E, { descriptor = 0xA0, name = "gnss.spartn_config_response", role = "r
       { kind = "scalar", name = "next_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the next key is valid. Unit: s." },
       { kind = "scalar", name = "next_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the next key is valid. Unit: week." },
       { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x0F, { descriptor = 0x01, name = "rtk.get_status_flags", role = "command", title = "Get status flags",
+    } }, { { set = 0x0E, name = "gnss.spartn_config_response", title = "SPARTN configuration response" }, })
+field({ descriptor = 0x01, name = "rtk.get_status_flags", role = "command", title = "Get status flags",
     doc = "Gets the state of the modem and of the corrections.", least = 0,
     always = 0,
-    rows = rows("rtk.get_status_flags", {
-    }) })
-field(0x0F, { descriptor = 0x02, name = "rtk.get_imei", role = "command", title = "Get IMEI",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_status_flags", title = "Get status flags" }, })
+field({ descriptor = 0x02, name = "rtk.get_imei", role = "command", title = "Get IMEI",
     doc = "Gets the identity of the modem.", least = 0,
     always = 0,
-    rows = rows("rtk.get_imei", {
-    }) })
-field(0x0F, { descriptor = 0x03, name = "rtk.get_imsi", role = "command", title = "Get IMSI",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_imei", title = "Get IMEI" }, })
+field({ descriptor = 0x03, name = "rtk.get_imsi", role = "command", title = "Get IMSI",
     doc = "Gets the identity of the subscriber.", least = 0,
     always = 0,
-    rows = rows("rtk.get_imsi", {
-    }) })
-field(0x0F, { descriptor = 0x04, name = "rtk.get_iccid", role = "command", title = "Get ICCID",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_imsi", title = "Get IMSI" }, })
+field({ descriptor = 0x04, name = "rtk.get_iccid", role = "command", title = "Get ICCID",
     doc = "Gets the number of the SIM card.", least = 0,
     always = 0,
-    rows = rows("rtk.get_iccid", {
-    }) })
-field(0x0F, { descriptor = 0x05, name = "rtk.get_rssi", role = "command", title = "Get RSSI",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_iccid", title = "Get ICCID" }, })
+field({ descriptor = 0x05, name = "rtk.get_rssi", role = "command", title = "Get RSSI",
     doc = "Gets the strength of the cellular signal.", least = 0,
     always = 0,
-    rows = rows("rtk.get_rssi", {
-    }) })
-field(0x0F, { descriptor = 0x06, name = "rtk.connected_device_type", role = "command", title = "Connected device type",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_rssi", title = "Get RSSI" }, })
+field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command", title = "Connected device type",
     doc = "The device that the modem serves.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("rtk.connected_device_type", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of the device." }, } },
-    }) })
-field(0x0F, { descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
+    } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
+field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
     doc = "Gets the activation code.", least = 0,
     always = 0,
-    rows = rows("rtk.get_activation_code", {
-    }) })
-field(0x0F, { descriptor = 0x08, name = "rtk.get_modem_firmware_version", role = "command", title = "Get modem firmware version",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_activation_code", title = "Get activation code" }, })
+field({ descriptor = 0x08, name = "rtk.get_modem_firmware_version", role = "command", title = "Get modem firmware version",
     doc = "Gets the firmware version of the cellular modem.", least = 0,
     always = 0,
-    rows = rows("rtk.get_modem_firmware_version", {
-    }) })
-field(0x0F, { descriptor = 0x0A, name = "rtk.service_status", role = "command", title = "Service status",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version", title = "Get modem firmware version" }, })
+field({ descriptor = 0x0A, name = "rtk.service_status", role = "command", title = "Service status",
     doc = "Queries a correction server about the connection, which also keeps it open.", least = 8,
     always = 2,
     from_device = true,
-    rows = rows("rtk.service_status", {
+    rows = {
       { kind = "scalar", name = "reserved1", type = "u32", size = 4, doc = "Reserved: send 0." },
       { kind = "scalar", name = "reserved2", type = "u32", size = 4, doc = "Reserved: send 0." },
-    }) })
-field(0x0F, { descriptor = 0x20, name = "rtk.erase_storage", role = "command", title = "Erase storage",
+    } }, { { set = 0x0F, name = "rtk.service_status", title = "Service status" }, })
+field({ descriptor = 0x20, name = "rtk.erase_storage", role = "command", title = "Erase storage",
     doc = "Returns a storage medium to its raw state; everything on it is erased.", least = 1,
     always = 1,
-    rows = rows("rtk.erase_storage", {
+    rows = {
       { kind = "scalar", name = "media", type = "u8", size = 1, enum = E["rtk.storage_medium"], doc = "The medium." },
-    }) })
-field(0x0F, { descriptor = 0x21, name = "rtk.led_control", role = "command", title = "LED control",
+    } }, { { set = 0x0F, name = "rtk.erase_storage", title = "Erase storage" }, })
+field({ descriptor = 0x21, name = "rtk.led_control", role = "command", title = "LED control",
     doc = "Colours and pattern of the LED.", least = 11,
     always = 4,
-    rows = rows("rtk.led_control", {
+    rows = {
       { kind = "array", name = "primary_color", count = 3, capacity = 3, size = 1, doc = "First colour.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "array", name = "alternate_color", count = 3, capacity = 3, size = 1, doc = "Second colour.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["rtk.led_action"], doc = "Pattern." },
       { kind = "scalar", name = "period", type = "u32", size = 4, doc = "Period of the pattern." },
-    }) })
-field(0x0F, { descriptor = 0x22, name = "rtk.modem_hard_reset", role = "command", title = "Modem hard reset",
+    } }, { { set = 0x0F, name = "rtk.led_control", title = "LED control" }, })
+field({ descriptor = 0x22, name = "rtk.modem_hard_reset", role = "command", title = "Modem hard reset",
     doc = "Clears the flash memory of the modem.", least = 0,
     always = 0,
-    rows = rows("rtk.modem_hard_reset", {
-    }) })
-field(0x0F, { descriptor = 0x81, name = "rtk.get_status_flags_response", role = "response", title = "Get status flags response",
+    rows = {
+    } }, { { set = 0x0F, name = "rtk.modem_hard_reset", title = "Modem hard reset" }, })
+field({ descriptor = 0x81, name = "rtk.get_status_flags_response", role = "response", title = "Get status flags response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("rtk.get_status_flags_response", {
+    rows = {
       { kind = "scalar", name = "flags", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "State of the modem and of the corrections." },
-    }) })
-field(0x0F, { descriptor = 0x82, name = "rtk.get_imei_response", role = "response", title = "Get IMEI response",
+    } }, { { set = 0x0F, name = "rtk.get_status_flags_response", title = "Get status flags response" }, })
+field({ descriptor = 0x82, name = "rtk.get_imei_response", role = "response", title = "Get IMEI response",
     doc = "", least = 32,
     always = 1,
-    rows = rows("rtk.get_imei_response", {
+    rows = {
       { kind = "text", name = "imei", count = 32, capacity = 32, doc = "International mobile equipment identity." },
-    }) })
-field(0x0F, { descriptor = 0x83, name = "rtk.get_imsi_response", role = "response", title = "Get IMSI response",
+    } }, { { set = 0x0F, name = "rtk.get_imei_response", title = "Get IMEI response" }, })
+field({ descriptor = 0x83, name = "rtk.get_imsi_response", role = "response", title = "Get IMSI response",
     doc = "", least = 32,
     always = 1,
-    rows = rows("rtk.get_imsi_response", {
+    rows = {
       { kind = "text", name = "imsi", count = 32, capacity = 32, doc = "International mobile subscriber identity." },
-    }) })
-field(0x0F, { descriptor = 0x84, name = "rtk.get_iccid_response", role = "response", title = "Get ICCID response",
+    } }, { { set = 0x0F, name = "rtk.get_imsi_response", title = "Get IMSI response" }, })
+field({ descriptor = 0x84, name = "rtk.get_iccid_response", role = "response", title = "Get ICCID response",
     doc = "", least = 32,
     always = 1,
-    rows = rows("rtk.get_iccid_response", {
+    rows = {
       { kind = "text", name = "iccid", count = 32, capacity = 32, doc = "Number of the SIM card." },
-    }) })
-field(0x0F, { descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", title = "Get RSSI response",
+    } }, { { set = 0x0F, name = "rtk.get_iccid_response", title = "Get ICCID response" }, })
+field({ descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", title = "Get RSSI response",
     doc = "", least = 9,
     always = 3,
-    rows = rows("rtk.get_rssi_response", {
+    rows = {
       { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "Whether the modem is connected." },
       { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true." },
       { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Signal quality. Valid if valid is true." },
-    }) })
-field(0x0F, { descriptor = 0x86, name = "rtk.connected_device_type_response", role = "response", title = "Connected device type response",
+    } }, { { set = 0x0F, name = "rtk.get_rssi_response", title = "Get RSSI response" }, })
+field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "response", title = "Connected device type response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("rtk.connected_device_type_response", {
+    rows = {
       { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of the device." },
-    }) })
-field(0x0F, { descriptor = 0x87, name = "rtk.get_activation_code_response", role = "response", title = "Get activation code response",
+    } }, { { set = 0x0F, name = "rtk.connected_device_type_response", title = "Connected device type response" }, })
+field({ descriptor = 0x87, name = "rtk.get_activation_code_response", role = "response", title = "Get activation code response",
     doc = "", least = 32,
     always = 1,
-    rows = rows("rtk.get_activation_code_response", {
+    rows = {
       { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Activation code." },
-    }) })
-field(0x0F, { descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", role = "response", title = "Get modem firmware version response",
+    } }, { { set = 0x0F, name = "rtk.get_activation_code_response", title = "Get activation code response" }, })
+field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", role = "response", title = "Get modem firmware version response",
     doc = "", least = 32,
     always = 1,
-    rows = rows("rtk.get_modem_firmware_version_response", {
+    rows = {
       { kind = "text", name = "modem_firmware_version", count = 32, capacity = 32, doc = "Firmware version." },
-    }) })
-field(0x0F, { descriptor = 0x8A, name = "rtk.service_status_response", role = "response", title = "Service status response",
+    } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version_response", title = "Get modem firmware version response" }, })
+field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "response", title = "Service status response",
     doc = "What the server knows of the connection.", least = 17,
     always = 4,
-    rows = rows("rtk.service_status_response", {
+    rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["rtk.service_flags"], doc = "State of the service." },
       { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received. Unit: byte." },
       { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes of the last transfer. Unit: byte." },
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
-    }) })
-field(0x13, { descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
+    } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
+field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
     doc = "Where and how an external sensor is mounted on the vehicle.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("aiding.frame_config", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "How the rotation is given." }, } },
@@ -2648,28 +2646,28 @@ field(0x13, { descriptor = 0x01, name = "aiding.frame_config", role = "command",
       { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
-    }) })
-field(0x13, { descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
+    } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
+field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
     doc = "How the device answers aiding measurements.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("aiding.echo_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." }, } },
-    }) })
-field(0x13, { descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
+    } }, { { set = 0x13, name = "aiding.echo_control", title = "Echo control" }, })
+field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
     doc = "A measured position in Earth-fixed coordinates.", least = 49,
     always = 5,
-    rows = rows("aiding.ecef_position", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
-    }) })
-field(0x13, { descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
+    } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
+field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
     doc = "A measured position as latitude, longitude and height.", least = 49,
     always = 7,
-    rows = rows("aiding.llh_position", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.latitude is set." },
@@ -2677,82 +2675,82 @@ field(0x13, { descriptor = 0x22, name = "aiding.llh_position", role = "command",
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Which coordinates are valid." },
-    }) })
-field(0x13, { descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
+    } }, { { set = 0x13, name = "aiding.llh_position", title = "LLH position" }, })
+field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
     doc = "A measured height.", least = 21,
     always = 5,
-    rows = rows("aiding.height_above_ellipsoid", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
-    }) })
-field(0x13, { descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
+    } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
+field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
     doc = "A measured velocity in Earth-fixed coordinates.", least = 37,
     always = 5,
-    rows = rows("aiding.ecef_velocity", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
-    }) })
-field(0x13, { descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title = "NED velocity",
+    } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
+field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title = "NED velocity",
     doc = "A measured velocity in the local level frame.", least = 37,
     always = 5,
-    rows = rows("aiding.ned_velocity", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
-    }) })
-field(0x13, { descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
+    } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
+field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
     doc = "A measured velocity of the vehicle in the frame of the sensor.", least = 37,
     always = 5,
-    rows = rows("aiding.body_frame_velocity", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
-    }) })
-field(0x13, { descriptor = 0x31, name = "aiding.true_heading", role = "command", title = "True heading",
+    } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
+field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title = "True heading",
     doc = "A measured heading relative to true north.", least = 21,
     always = 5,
-    rows = rows("aiding.true_heading", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
-    }) })
-field(0x13, { descriptor = 0x32, name = "aiding.magnetic_field", role = "command", title = "Magnetic field",
+    } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
+field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", title = "Magnetic field",
     doc = "A magnetic field measured by an external magnetometer.", least = 37,
     always = 5,
-    rows = rows("aiding.magnetic_field", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Which axes are valid." },
-    }) })
-field(0x13, { descriptor = 0x33, name = "aiding.pressure", role = "command", title = "Pressure",
+    } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
+field({ descriptor = 0x33, name = "aiding.pressure", role = "command", title = "Pressure",
     doc = "A static air pressure measured by an external sensor.", least = 21,
     always = 5,
     plain = true,
-    rows = rows("aiding.pressure", {
+    rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "When the measurement was taken." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
       { kind = "scalar", name = "pressure", type = "float", size = 4, units = {"mbar", }, doc = "Air pressure. Unit: mbar." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"mbar", }, doc = "Standard deviation of the pressure. Unit: mbar. Range: greater than 0." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
-    }) })
-field(0x13, { descriptor = 0x81, name = "aiding.frame_config_response", role = "response", title = "Frame configuration response",
+    } }, { { set = 0x13, name = "aiding.pressure", title = "Pressure" }, })
+field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "response", title = "Frame configuration response",
     doc = "", least = 15,
     always = 5,
-    rows = rows("aiding.frame_config_response", {
+    rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." },
       { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "How the rotation is given." },
       { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "Whether the filter estimates the errors of the frame." },
@@ -2760,679 +2758,236 @@ field(0x13, { descriptor = 0x81, name = "aiding.frame_config_response", role = "
       { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } },
-    }) })
-field(0x13, { descriptor = 0x9F, name = "aiding.echo_control_response", role = "response", title = "Echo control response",
+    } }, { { set = 0x13, name = "aiding.frame_config_response", title = "Frame configuration response" }, })
+field({ descriptor = 0x9F, name = "aiding.echo_control_response", role = "response", title = "Echo control response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("aiding.echo_control_response", {
+    rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." },
-    }) })
-field(0x7F, { descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
+    } }, { { set = 0x13, name = "aiding.echo_control_response", title = "Echo control response" }, })
+field({ descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
     doc = "Protocols that a port receives and sends.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
-    rows = rows("system.interface_control", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
-    }) })
-field(0x7F, { descriptor = 0x10, name = "system.comm_mode", role = "command", title = "Communication mode",
+    } }, { { set = 0x7F, name = "system.interface_control", title = "Interface control" }, })
+field({ descriptor = 0x10, name = "system.comm_mode", role = "command", title = "Communication mode",
     doc = "Switches the port between the device and one of its internal sensors.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("system.comm_mode", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard. On the 3DM-GX5-35: default standard." }, } },
-    }) })
-field(0x7F, { descriptor = 0x82, name = "system.interface_control_response", role = "response", title = "Interface control response",
+    } }, { { set = 0x7F, name = "system.comm_mode", title = "Communication mode" }, })
+field({ descriptor = 0x82, name = "system.interface_control_response", role = "response", title = "Interface control response",
     doc = "", least = 9,
     always = 3,
-    rows = rows("system.interface_control_response", {
+    rows = {
       { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "The port." },
       { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." },
       { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." },
-    }) })
-field(0x7F, { descriptor = 0x90, name = "system.comm_mode_response", role = "response", title = "Communication mode response",
+    } }, { { set = 0x7F, name = "system.interface_control_response", title = "Interface control response" }, })
+field({ descriptor = 0x90, name = "system.comm_mode_response", role = "response", title = "Communication mode response",
     doc = "", least = 1,
     always = 1,
-    rows = rows("system.comm_mode_response", {
+    rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["system.protocol_mode"], doc = "Communication mode. Default: standard." },
-    }) })
-field(0x80, { descriptor = 0x01, name = "sensor.raw_accel", role = "data", title = "Raw accel",
+    } }, { { set = 0x7F, name = "system.comm_mode_response", title = "Communication mode response" }, })
+field({ descriptor = 0x01, name = "sensor.raw_accel", role = "data", title = "Raw accel",
     doc = "Raw acceleration in counts of the sensor, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.raw_accel", {
+    rows = {
       { kind = "array", name = "raw_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Acceleration in counts. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x02, name = "sensor.raw_gyro", role = "data", title = "Raw gyro",
+    } }, { { set = 0x80, name = "sensor.raw_accel", title = "Raw accel" }, })
+field({ descriptor = 0x02, name = "sensor.raw_gyro", role = "data", title = "Raw gyro",
     doc = "Raw angular rate in counts of the sensor, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.raw_gyro", {
+    rows = {
       { kind = "array", name = "raw_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Angular rate in counts. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x03, name = "sensor.raw_mag", role = "data", title = "Raw mag",
+    } }, { { set = 0x80, name = "sensor.raw_gyro", title = "Raw gyro" }, })
+field({ descriptor = 0x03, name = "sensor.raw_mag", role = "data", title = "Raw mag",
     doc = "Raw magnetic field in counts of the sensor, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.raw_mag", {
+    rows = {
       { kind = "array", name = "raw_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Magnetic field in counts. Unit: 1. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = "Scaled accel",
+    } }, { { set = 0x80, name = "sensor.raw_mag", title = "Raw mag" }, })
+field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = "Scaled accel",
     doc = "Measured acceleration, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.scaled_accel", {
+    rows = {
       { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Acceleration. Unit: g. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x05, name = "sensor.scaled_gyro", role = "data", title = "Scaled gyro",
+    } }, { { set = 0x80, name = "sensor.scaled_accel", title = "Scaled accel" }, })
+field({ descriptor = 0x05, name = "sensor.scaled_gyro", role = "data", title = "Scaled gyro",
     doc = "Measured angular rate, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.scaled_gyro", {
+    rows = {
       { kind = "array", name = "scaled_gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "Scaled mag",
+    } }, { { set = 0x80, name = "sensor.scaled_gyro", title = "Scaled gyro" }, })
+field({ descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "Scaled mag",
     doc = "Measured magnetic field, temperature compensated.", least = 12,
     always = 1,
-    rows = rows("sensor.scaled_mag", {
+    rows = {
       { kind = "array", name = "scaled_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Magnetic field. Unit: gauss. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "Delta theta",
+    } }, { { set = 0x80, name = "sensor.scaled_mag", title = "Scaled mag" }, })
+field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "Delta theta",
     doc = "Time integral of the angular rate over the period that the message format sets.", least = 12,
     always = 1,
-    rows = rows("sensor.delta_theta", {
+    rows = {
       { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
+    } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
+field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
     doc = "Time integral of the acceleration over the period that the message format sets.", least = 12,
     always = 1,
-    rows = rows("sensor.delta_velocity", {
+    rows = {
       { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
+    } }, { { set = 0x80, name = "sensor.delta_velocity", title = "Delta velocity" }, })
+field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
-    rows = rows("sensor.comp_orientation_matrix", {
+    rows = {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
+    } }, { { set = 0x80, name = "sensor.comp_orientation_matrix", title = "Complementary filter orientation matrix" }, })
+field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
-    rows = rows("sensor.comp_quaternion", {
+    rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
+    } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
+field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
     doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
     always = 1,
-    rows = rows("sensor.comp_orientation_update_matrix", {
+    rows = {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", title = "Complementary filter Euler angles",
+    } }, { { set = 0x80, name = "sensor.comp_orientation_update_matrix", title = "Complementary filter orientation update matrix" }, })
+field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", title = "Complementary filter Euler angles",
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
-    rows = rows("sensor.comp_euler_angles", {
+    rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned." },
-    }) })
-field(0x80, { descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
+    } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
+field({ descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
     doc = "Raw readings of four temperature sensors.", least = 8,
     always = 1,
-    rows = rows("sensor.orientation_raw_temperature", {
+    rows = {
       { kind = "array", name = "raw_temperature", count = 4, capacity = 4, size = 2, doc = "Temperatures in counts. Unit: 1.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x80, { descriptor = 0x0E, name = "sensor.internal_timestamp", role = "data", title = "Internal timestamp",
+    } }, { { set = 0x80, name = "sensor.orientation_raw_temperature", title = "Orientation raw temperatures" }, })
+field({ descriptor = 0x0E, name = "sensor.internal_timestamp", role = "data", title = "Internal timestamp",
     doc = "Free-running counter of the device.", least = 4,
     always = 1,
-    rows = rows("sensor.internal_timestamp", {
+    rows = {
       { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter. Unit: 1." },
-    }) })
-field(0x80, { descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
+    } }, { { set = 0x80, name = "sensor.internal_timestamp", title = "Internal timestamp" }, })
+field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
     doc = "Time counted by the pulse per second.", least = 8,
     always = 2,
-    rows = rows("sensor.pps_timestamp", {
+    rows = {
       { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
       { kind = "scalar", name = "useconds", type = "u32", size = 4, units = {"us", }, doc = "Fraction of the second. Unit: us." },
-    }) })
-field(0x80, { descriptor = 0x10, name = "sensor.north_vector", role = "data", title = "Complementary filter stabilized north vector",
+    } }, { { set = 0x80, name = "sensor.pps_timestamp", title = "PPS timestamp" }, })
+field({ descriptor = 0x10, name = "sensor.north_vector", role = "data", title = "Complementary filter stabilized north vector",
     doc = "Estimate of the geomagnetic field by the complementary filter, free of short disturbances.", least = 12,
     always = 1,
-    rows = rows("sensor.north_vector", {
+    rows = {
       { kind = "array", name = "stabilized_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Geomagnetic field. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Complementary filter stabilized up vector",
+    } }, { { set = 0x80, name = "sensor.north_vector", title = "Complementary filter stabilized north vector" }, })
+field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Complementary filter stabilized up vector",
     doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
     always = 1,
-    rows = rows("sensor.up_vector", {
+    rows = {
       { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The part of the measured acceleration that gravity causes. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x80, { descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
+    } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
+field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "GPS time of the sensor data.", least = 12,
     always = 3,
-    rows = rows("sensor.gps_timestamp", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
-    }) })
-field(0x80, { descriptor = 0x14, name = "sensor.temperature_statistics", role = "data", title = "Temperature statistics",
+    } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
+field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data", title = "Temperature statistics",
     doc = "Temperatures since the last power-on or reset.", least = 12,
     always = 3,
-    rows = rows("sensor.temperature_statistics", {
+    rows = {
       { kind = "scalar", name = "min_temperature", type = "float", size = 4, units = {"degC", }, doc = "Lowest temperature. Unit: degC." },
       { kind = "scalar", name = "max_temperature", type = "float", size = 4, units = {"degC", }, doc = "Highest temperature. Unit: degC." },
       { kind = "scalar", name = "mean_temperature", type = "float", size = 4, units = {"degC", }, doc = "Mean temperature. Unit: degC." },
-    }) })
-field(0x80, { descriptor = 0x16, name = "sensor.raw_pressure", role = "data", title = "Raw pressure",
+    } }, { { set = 0x80, name = "sensor.temperature_statistics", title = "Temperature statistics" }, })
+field({ descriptor = 0x16, name = "sensor.raw_pressure", role = "data", title = "Raw pressure",
     doc = "Raw ambient pressure in counts of the sensor, temperature compensated.", least = 4,
     always = 1,
     plain = true,
-    rows = rows("sensor.raw_pressure", {
+    rows = {
       { kind = "scalar", name = "raw_pressure", type = "float", size = 4, doc = "Pressure in counts. Unit: 1." },
-    }) })
-field(0x80, { descriptor = 0x17, name = "sensor.scaled_pressure", role = "data", title = "Scaled pressure",
+    } }, { { set = 0x80, name = "sensor.raw_pressure", title = "Raw pressure" }, })
+field({ descriptor = 0x17, name = "sensor.scaled_pressure", role = "data", title = "Scaled pressure",
     doc = "Measured ambient pressure, temperature compensated.", least = 4,
     always = 1,
     plain = true,
-    rows = rows("sensor.scaled_pressure", {
+    rows = {
       { kind = "scalar", name = "scaled_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Ambient pressure. Unit: mbar." },
-    }) })
-field(0x80, { descriptor = 0x18, name = "sensor.overrange_status", role = "data", title = "Overrange status",
+    } }, { { set = 0x80, name = "sensor.scaled_pressure", title = "Scaled pressure" }, })
+field({ descriptor = 0x18, name = "sensor.overrange_status", role = "data", title = "Overrange status",
     doc = "Which sensor axes are near or outside their range.", least = 2,
     always = 1,
-    rows = rows("sensor.overrange_status", {
+    rows = {
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["sensor.overrange_flags"], doc = "One bit for each axis." },
-    }) })
-field(0x80, { descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odometer data",
+    } }, { { set = 0x80, name = "sensor.overrange_status", title = "Overrange status" }, })
+field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odometer data",
     doc = "Speed measured by the wheel encoder.", least = 10,
     always = 3,
-    rows = rows("sensor.odometer", {
+    rows = {
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Valid if valid_flags.odometer is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Whether the values are valid." },
-    }) })
-field(0x82, { descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
-    doc = "Estimated position.", least = 26,
-    always = 4,
-    rows = rows("filter_data.llh_position", {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
-    doc = "Estimated velocity.", least = 14,
-    always = 4,
-    rows = rows("filter_data.ned_velocity", {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
-    always = 2,
-    rows = rows("filter_data.attitude_quaternion", {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
-    always = 2,
-    rows = rows("filter_data.attitude_dcm", {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
-    always = 4,
-    rows = rows("filter_data.euler_angles", {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
-    doc = "Estimated bias of the gyroscope.", least = 14,
-    always = 2,
-    rows = rows("filter_data.gyro_bias", {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
-    doc = "Estimated bias of the accelerometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.accel_bias", {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
-    doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
-    always = 4,
-    rows = rows("filter_data.llh_position_uncertainty", {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
-    doc = "Standard deviation of the estimated velocity.", least = 14,
-    always = 4,
-    rows = rows("filter_data.ned_velocity_uncertainty", {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
-    doc = "Standard deviation of the estimated Euler angles.", least = 14,
-    always = 4,
-    rows = rows("filter_data.euler_angles_uncertainty", {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
-    doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
-    always = 2,
-    rows = rows("filter_data.gyro_bias_uncertainty", {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
-    doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
-    always = 2,
-    rows = rows("filter_data.accel_bias_uncertainty", {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
-    doc = "Compensated acceleration minus the estimated gravity.", least = 14,
-    always = 2,
-    rows = rows("filter_data.linear_accel", {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
-    doc = "Angular rate without the estimated bias.", least = 14,
-    always = 2,
-    rows = rows("filter_data.comp_angular_rate", {
-      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
-    doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
-    always = 2,
-    rows = rows("filter_data.wgs84_gravity_magnitude", {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
-    doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
-    always = 3,
-    rows = rows("filter_data.status", {
-      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "State of the filter. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, } },
-      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, } },
-      { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, } },
-    }) })
-field(0x82, { descriptor = 0x11, name = "filter_data.timestamp", role = "data", title = "Filter timestamp",
-    doc = "GPS time of the filter data.", least = 12,
-    always = 3,
-    rows = rows("filter_data.timestamp", {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
-    doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
-    always = 2,
-    rows = rows("filter_data.quaternion_attitude_uncertainty", {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
-    doc = "Estimated gravity.", least = 14,
-    always = 2,
-    rows = rows("filter_data.gravity_vector", {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
-    doc = "The last heading that updated the filter and where it came from.", least = 12,
-    always = 4,
-    rows = rows("filter_data.heading_update_state", {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
-    doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
-    always = 6,
-    rows = rows("filter_data.magnetic_model", {
-      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Intensity north. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Intensity east. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Intensity down. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
-    doc = "Estimated scale factor of the gyroscope.", least = 14,
-    always = 2,
-    rows = rows("filter_data.gyro_scale_factor", {
-      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
-    doc = "Estimated scale factor of the accelerometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.accel_scale_factor", {
-      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
-    doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
-    always = 2,
-    rows = rows("filter_data.gyro_scale_factor_uncertainty", {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
-    doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.accel_scale_factor_uncertainty", {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
-    doc = "Estimated bias of the magnetometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.mag_bias", {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Bias. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
-    doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.mag_bias_uncertainty", {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
-    doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
-    always = 2,
-    rows = rows("filter_data.comp_accel", {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
-    doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
-    always = 6,
-    rows = rows("filter_data.standard_atmosphere", {
-      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geopotential altitude. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Density. Unit: kg/m^3. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
-    doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
-    always = 2,
-    plain = true,
-    rows = rows("filter_data.pressure_altitude", {
-      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
-    doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
-    always = 2,
-    plain = true,
-    rows = rows("filter_data.density_altitude", {
-      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
-    doc = "Estimated hard iron offset of the magnetometer.", least = 14,
-    always = 2,
-    rows = rows("filter_data.mag_offset", {
-      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
-    doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
-    always = 2,
-    rows = rows("filter_data.mag_matrix", {
-      { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
-    doc = "Standard deviation of the estimated hard iron offset.", least = 14,
-    always = 2,
-    rows = rows("filter_data.mag_offset_uncertainty", {
-      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
-    doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
-    always = 2,
-    rows = rows("filter_data.mag_matrix_uncertainty", {
-      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
-    doc = "Covariance of the magnetometer measurement.", least = 38,
-    always = 2,
-    rows = rows("filter_data.mag_covariance_matrix", {
-      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
-    doc = "Residual of the magnetometer measurement.", least = 14,
-    always = 2,
-    rows = rows("filter_data.mag_residual_vector", {
-      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Residual. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
-    doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
-    always = 2,
-    rows = rows("filter_data.antenna_offset_correction", {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
-    doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
-    always = 2,
-    rows = rows("filter_data.antenna_offset_correction_uncertainty", {
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
-    doc = "Estimated clock error of one GNSS receiver.", least = 11,
-    always = 4,
-    rows = rows("filter_data.clock_correction", {
-      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
-    doc = "Standard deviation of the estimated clock error of one GNSS receiver.", least = 11,
-    always = 4,
-    rows = rows("filter_data.clock_correction_uncertainty", {
-      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
-    doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
-    always = 3,
-    rows = rows("filter_data.multi_antenna_offset_correction", {
-      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
-    doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
-    always = 3,
-    rows = rows("filter_data.multi_antenna_offset_correction_uncertainty", {
-      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
-    doc = "Standard deviation of the estimated position.", least = 14,
-    always = 2,
-    rows = rows("filter_data.ecef_position_uncertainty", {
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
-    doc = "Standard deviation of the estimated velocity.", least = 14,
-    always = 2,
-    rows = rows("filter_data.ecef_velocity_uncertainty", {
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
-    doc = "Estimated position.", least = 26,
-    always = 2,
-    rows = rows("filter_data.ecef_position", {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
-    doc = "Estimated velocity.", least = 14,
-    always = 2,
-    rows = rows("filter_data.ecef_velocity", {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
-    doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
-    always = 2,
-    rows = rows("filter_data.ned_relative_position", {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
-    doc = "How the filter uses the position measurements of one GNSS receiver.", least = 15,
-    always = 4,
-    rows = rows("filter_data.gnss_position_aiding_status", {
-      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
-      { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x82, { descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
-    doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
-    always = 3,
-    rows = rows("filter_data.gnss_attitude_aiding_status", {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
-      { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x82, { descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "data", title = "Heading aiding status",
-    doc = "The heading measurement that the filter used last.", least = 13,
-    always = 3,
-    rows = rows("filter_data.heading_aiding_status", {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
-      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.heading_aiding_type"], doc = "Source of the heading." },
-      { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x82, { descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role = "data", title = "Aiding measurement summary",
-    doc = "What the filter did with one kind of aiding measurement in the last measurement interval.", least = 7,
-    always = 4,
-    rows = rows("filter_data.aiding_measurement_summary", {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s." },
-      { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Number of the source of the measurement." },
-      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.aiding_measurement_type"], doc = "Kind of measurement." },
-      { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "What the filter did with it." },
-    }) })
-field(0x82, { descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", role = "data", title = "Odometer scale factor error",
-    doc = "Estimated relative error of the odometer scale factor.", least = 6,
-    always = 2,
-    rows = rows("filter_data.odometer_scale_factor_error", {
-      { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
-    doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
-    always = 2,
-    rows = rows("filter_data.odometer_scale_factor_error_uncertainty", {
-      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
-    doc = "Heading that two GNSS antennas give.", least = 17,
-    always = 6,
-    rows = rows("filter_data.gnss_dual_antenna_status", {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
-      { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
-    }) })
-field(0x82, { descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
-    doc = "Estimated error of a frame that aiding.frame_config defines; it is corrected for.", least = 29,
-    always = 3,
-    rows = rows("filter_data.aiding_frame_config_error", {
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Error of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "attitude", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Error of the rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x82, { descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncertainty", role = "data", title = "Aiding frame configuration error uncertainty",
-    doc = "Uncertainty of the estimated error of a frame that aiding.frame_config defines.", least = 25,
-    always = 3,
-    rows = rows("filter_data.aiding_frame_config_error_uncertainty", {
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x91, { descriptor = 0x03, name = "gnss_1.llh_position", role = "data", title = "GNSS LLH position",
+    } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
+field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
-    rows = rows("gnss_1.llh_position", {
+    rows = {
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.lat_lon is set." },
       { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Horizontal accuracy. Unit: m. Valid if valid_flags.horizontal_accuracy is set." },
       { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Vertical accuracy. Unit: m. Valid if valid_flags.vertical_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.llh_position_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x04, name = "gnss_1.ecef_position", role = "data", title = "GNSS ECEF position",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
+field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
     always = 3,
-    rows = rows("gnss_1.ecef_position", {
+    rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Accuracy of the position. Unit: m. Valid if valid_flags.position_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ecef_position_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x05, name = "gnss_1.ned_velocity", role = "data", title = "NED velocity",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
+field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
-    rows = rows("gnss_1.ned_velocity", {
+    rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ned. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Valid if valid_flags.speed_3d is set." },
       { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Valid if valid_flags.ground_speed is set." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the speed. Unit: m/s. Valid if valid_flags.speed_accuracy is set." },
       { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Accuracy of the heading. Unit: deg. Valid if valid_flags.heading_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ned_velocity_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x06, name = "gnss_1.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
+field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
     always = 3,
-    rows = rows("gnss_1.ecef_velocity", {
+    rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Accuracy of the velocity. Unit: m/s. Valid if valid_flags.velocity_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ecef_velocity_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x07, name = "gnss_1.dop", role = "data", title = "DOP",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
+field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
     always = 8,
-    rows = rows("gnss_1.dop", {
+    rows = {
       { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Valid if valid_flags.gdop is set." },
       { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Valid if valid_flags.pdop is set." },
       { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Valid if valid_flags.hdop is set." },
@@ -3440,12 +2995,12 @@ field(0x91, { descriptor = 0x07, name = "gnss_1.dop", role = "data", title = "DO
       { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Valid if valid_flags.tdop is set." },
       { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Valid if valid_flags.ndop is set." },
       { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Valid if valid_flags.edop is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.dop_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x08, name = "gnss_1.utc_time", role = "data", title = "UTC time",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
+field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time as the receiver knows it.", least = 13,
     always = 8,
-    rows = rows("gnss_1.utc_time", {
+    rows = {
       { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "day", type = "u8", size = 1, doc = "Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time is set." },
@@ -3453,108 +3008,108 @@ field(0x91, { descriptor = 0x08, name = "gnss_1.utc_time", role = "data", title 
       { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.utc_time_flags"], doc = "Which parts of the time are valid." },
-    }) })
-field(0x91, { descriptor = 0x09, name = "gnss_1.gps_time", role = "data", title = "GPS time",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Which parts of the time are valid." },
+    } }, { { set = 0x81, name = "gnss_data.utc_time", title = "UTC time" }, { set = 0x91, name = "gnss_1.utc_time", title = "UTC time" }, { set = 0x92, name = "gnss_2.utc_time", title = "UTC time" }, { set = 0x93, name = "gnss_corrections.utc_time", title = "UTC time" }, { set = 0x94, name = "gnss_external.utc_time", title = "UTC time" }, { set = 0x95, name = "gnss_external_2.utc_time", title = "UTC time" }, })
+field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
     doc = "GPS time as the receiver knows it.", least = 12,
     always = 3,
-    rows = rows("gnss_1.gps_time", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.gps_time_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0A, name = "gnss_1.clock_info", role = "data", title = "Clock info",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
+field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
     always = 4,
-    rows = rows("gnss_1.clock_info", {
+    rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated accuracy. Unit: s. Valid if valid_flags.accuracy_estimate is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.clock_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0B, name = "gnss_1.fix_info", role = "data", title = "Fix info",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
+field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
-    rows = rows("gnss_1.fix_info", {
+    rows = {
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Type of the fix. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
-      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_1.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.fix_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0C, name = "gnss_1.sv_info", role = "data", title = "Satellite info",
+      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
+field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "One satellite that is tracked.", least = 12,
     always = 7,
-    rows = rows("gnss_1.sv_info", {
+    rows = {
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
       { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Azimuth. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Elevation. Unit: deg. Valid if valid_flags.elevation is set." },
-      { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_1.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.sv_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0D, name = "gnss_1.hardware_status", role = "data", title = "GNSS hardware status",
+      { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
+field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
     always = 4,
-    rows = rows("gnss_1.hardware_status", {
-      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_1.receiver_state"], doc = "State of the receiver. Valid if valid_flags.sensor_state is set." },
-      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_1.antenna_state"], doc = "State of the antenna. Valid if valid_flags.antenna_state is set." },
-      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_1.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.hardware_status_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0E, name = "gnss_1.dgps_info", role = "data", title = "DGPS info",
+    rows = {
+      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "State of the receiver. Valid if valid_flags.sensor_state is set." },
+      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "State of the antenna. Valid if valid_flags.antenna_state is set." },
+      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
+field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
     always = 5,
-    rows = rows("gnss_1.dgps_info", {
+    rows = {
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.dgps_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x0F, name = "gnss_1.dgps_channel", role = "data", title = "DGPS channel",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
+field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
     always = 5,
-    rows = rows("gnss_1.dgps_channel", {
+    rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m. Valid if valid_flags.range_correction is set." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.dgps_channel_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x10, name = "gnss_1.clock_info_2", role = "data", title = "Clock info 2",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
+field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
     always = 5,
-    rows = rows("gnss_1.clock_info_2", {
+    rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Accuracy of the bias. Unit: s. Valid if valid_flags.bias_accuracy is set." },
       { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Accuracy of the drift. Unit: s/s. Valid if valid_flags.drift_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.clock_info_2_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x11, name = "gnss_1.gps_leap_seconds", role = "data", title = "GPS leap seconds",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
+field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
     always = 2,
-    rows = rows("gnss_1.gps_leap_seconds", {
+    rows = {
       { kind = "scalar", name = "leap_seconds", type = "u8", size = 1, units = {"s", }, doc = "GPS time minus UTC. Unit: s. Valid if valid_flags.leap_seconds is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.gps_leap_seconds_flags"], doc = "Whether the value is valid." },
-    }) })
-field(0x91, { descriptor = 0x12, name = "gnss_1.sbas_info", role = "data", title = "SBAS info",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_leap_seconds_flags"], doc = "Whether the value is valid." },
+    } }, { { set = 0x81, name = "gnss_data.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x91, name = "gnss_1.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x92, name = "gnss_2.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x93, name = "gnss_corrections.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x94, name = "gnss_external.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x95, name = "gnss_external_2.gps_leap_seconds", title = "GPS leap seconds" }, })
+field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = "SBAS info",
     doc = "Status of the satellite based augmentation.", least = 16,
     always = 7,
-    rows = rows("gnss_1.sbas_info", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_1.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set." },
+      { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_data.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set." },
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
-      { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_1.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.sbas_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x13, name = "gnss_1.sbas_correction", role = "data", title = "SBAS correction",
+      { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
+field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
     doc = "SBAS correction for one satellite.", least = 25,
     always = 10,
-    rows = rows("gnss_1.sbas_correction", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s." },
@@ -3564,22 +3119,22 @@ field(0x91, { descriptor = 0x13, name = "gnss_1.sbas_correction", role = "data",
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.sbas_correction_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x14, name = "gnss_1.rf_error_detection", role = "data", title = "RF error detection",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
+field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
-    rows = rows("gnss_1.rf_error_detection", {
-      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_1.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
-      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_1.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
-      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_1.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
+    rows = {
+      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
+      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
+      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.rf_error_detection_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x20, name = "gnss_1.satellite_status", role = "data", title = "Satellite status",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
+field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
-    rows = rows("gnss_1.satellite_status", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
@@ -3589,12 +3144,12 @@ field(0x91, { descriptor = 0x20, name = "gnss_1.satellite_status", role = "data"
       { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "Whether the satellite is healthy. Valid if valid_flags.health is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.satellite_status_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x22, name = "gnss_1.raw", role = "data", title = "Raw",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
+field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
     always = 19,
-    rows = rows("gnss_1.raw", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
@@ -3605,7 +3160,7 @@ field(0x91, { descriptor = 0x22, name = "gnss_1.raw", role = "data", title = "Ra
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal. Valid if valid_flags.signal_id is set." },
       { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set." },
-      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_1.signal_quality"], doc = "How well the signal is tracked. Valid if valid_flags.quality is set." },
+      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "How well the signal is tracked. Valid if valid_flags.quality is set." },
       { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Pseudorange. Unit: m. Valid if valid_flags.pseudorange is set." },
       { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
@@ -3613,39 +3168,39 @@ field(0x91, { descriptor = 0x22, name = "gnss_1.raw", role = "data", title = "Ra
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if valid_flags.lock_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.raw_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x30, name = "gnss_1.base_station_info", role = "data", title = "Base station info",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
+field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
     always = 7,
-    rows = rows("gnss_1.base_station_info", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the marker that was surveyed. Unit: m. Valid if valid_flags.height is set." },
       { kind = "scalar", name = "station_id", type = "u16", size = 2, doc = "Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id is set." },
-      { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_1.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.base_station_info_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x31, name = "gnss_1.rtk_corrections_status", role = "data", title = "RTK corrections status",
+      { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_data.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.base_station_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.base_station_info", title = "Base station info" }, { set = 0x91, name = "gnss_1.base_station_info", title = "Base station info" }, { set = 0x92, name = "gnss_2.base_station_info", title = "Base station info" }, { set = 0x93, name = "gnss_corrections.base_station_info", title = "Base station info" }, { set = 0x94, name = "gnss_external.base_station_info", title = "Base station info" }, { set = 0x95, name = "gnss_external_2.base_station_info", title = "Base station info" }, })
+field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "data", title = "RTK corrections status",
     doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
-    rows = rows("gnss_1.rtk_corrections_status", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_1.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
+      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
       { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
       { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Valid if valid_flags.gps_latency is set." },
       { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Valid if valid_flags.glonass_latency is set." },
       { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Valid if valid_flags.galileo_latency is set." },
       { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Valid if valid_flags.beidou_latency is set." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 4, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u32", size = 4 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.rtk_corrections_status_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x61, name = "gnss_1.gps_ephemeris", role = "data", title = "GPS ephemeris",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x91, name = "gnss_1.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x92, name = "gnss_2.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x93, name = "gnss_corrections.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x94, name = "gnss_external.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x95, name = "gnss_external_2.rtk_corrections_status", title = "RTK corrections status" }, })
+field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", title = "GPS ephemeris",
     doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
     always = 34,
-    rows = rows("gnss_1.gps_ephemeris", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
@@ -3679,12 +3234,12 @@ field(0x91, { descriptor = 0x61, name = "gnss_1.gps_ephemeris", role = "data", t
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ephemeris_flags"], doc = "What the ephemeris holds." },
-    }) })
-field(0x91, { descriptor = 0x62, name = "gnss_1.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+    } }, { { set = 0x81, name = "gnss_data.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x91, name = "gnss_1.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x92, name = "gnss_2.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x93, name = "gnss_corrections.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x94, name = "gnss_external.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x95, name = "gnss_external_2.gps_ephemeris", title = "GPS ephemeris" }, })
+field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
     doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
     always = 25,
-    rows = rows("gnss_1.glonass_ephemeris", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
@@ -3693,7 +3248,7 @@ field(0x91, { descriptor = 0x62, name = "gnss_1.glonass_ephemeris", role = "data
       { kind = "scalar", name = "frequency_number", type = "s8", size = 1, doc = "GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "tk", type = "u32", size = 4, units = {"s", }, doc = "Start of the frame within the day. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "tb", type = "u32", size = 4, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "satellite_type", type = "u8", size = 1, enum = E["gnss_1.glonass_satellite_type"], doc = "Generation of the satellite (M). Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "satellite_type", type = "u8", size = 1, enum = E["gnss_data.glonass_satellite_type"], doc = "Generation of the satellite (M). Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "gamma", type = "double", size = 8, doc = "Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "tau_n", type = "double", size = 8, units = {"s", }, doc = "Correction of the satellite time relative to GLONASS time. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the satellite in PZ-90. Unit: m. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
@@ -3709,12 +3264,12 @@ field(0x91, { descriptor = 0x62, name = "gnss_1.glonass_ephemeris", role = "data
       { kind = "scalar", name = "p2", type = "u8", size = 1, doc = "1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p3", type = "u8", size = 1, doc = "Number of satellites in the almanac of the frame. Unit: 1. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p4", type = "u8", size = 1, doc = "Whether ephemeris parameters are present. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.glonass_ephemeris_flags"], doc = "Whether the ephemeris is valid." },
-    }) })
-field(0x91, { descriptor = 0x63, name = "gnss_1.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.glonass_ephemeris_flags"], doc = "Whether the ephemeris is valid." },
+    } }, { { set = 0x81, name = "gnss_data.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x91, name = "gnss_1.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x92, name = "gnss_2.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x93, name = "gnss_corrections.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x94, name = "gnss_external.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x95, name = "gnss_external_2.glonass_ephemeris", title = "GLONASS ephemeris" }, })
+field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
     doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
     always = 34,
-    rows = rows("gnss_1.galileo_ephemeris", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
@@ -3748,12 +3303,12 @@ field(0x91, { descriptor = 0x63, name = "gnss_1.galileo_ephemeris", role = "data
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ephemeris_flags"], doc = "What the ephemeris holds." },
-    }) })
-field(0x91, { descriptor = 0x64, name = "gnss_1.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+    } }, { { set = 0x81, name = "gnss_data.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x91, name = "gnss_1.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x92, name = "gnss_2.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x93, name = "gnss_corrections.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x94, name = "gnss_external.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x95, name = "gnss_external_2.galileo_ephemeris", title = "Galileo ephemeris" }, })
+field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
     doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
     always = 34,
-    rows = rows("gnss_1.beidou_ephemeris", {
+    rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "How many of these fields the epoch has." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s." },
@@ -3787,704 +3342,567 @@ field(0x91, { descriptor = 0x64, name = "gnss_1.beidou_ephemeris", role = "data"
       { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.ephemeris_flags"], doc = "What the ephemeris holds." },
-    }) })
-field(0x91, { descriptor = 0x71, name = "gnss_1.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "What the ephemeris holds." },
+    } }, { { set = 0x81, name = "gnss_data.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x91, name = "gnss_1.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x92, name = "gnss_2.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x93, name = "gnss_corrections.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x94, name = "gnss_external.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x95, name = "gnss_external_2.beidou_ephemeris", title = "BeiDou ephemeris" }, })
+field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
     doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
     always = 5,
-    rows = rows("gnss_1.gps_iono_correction", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.gps_iono_correction_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x73, name = "gnss_1.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
+field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
     always = 5,
-    rows = rows("gnss_1.galileo_iono_correction", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.galileo_iono_correction_flags"], doc = "Which values are valid." },
-    }) })
-field(0x91, { descriptor = 0x74, name = "gnss_1.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
+field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
     always = 6,
-    rows = rows("gnss_1.beidou_iono_correction", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.beidou_iono_correction_flags"], doc = "Which values are valid." },
-    }) })
-field(0xA0, { descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
+field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
+    doc = "Estimated position.", least = 26,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Latitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Longitude. Unit: deg. Frame: llh. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
+field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
+    doc = "Estimated velocity.", least = 14,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
+field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
+    doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
+    always = 2,
+    rows = {
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
+field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
+    doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
+    always = 2,
+    rows = {
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
+field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
+    doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw. Unit: rad. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
+field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
+    doc = "Estimated bias of the gyroscope.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gyro_bias", title = "Gyroscope bias" }, })
+field({ descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
+    doc = "Estimated bias of the accelerometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.accel_bias", title = "Accelerometer bias" }, })
+field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
+    doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
+field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
+    doc = "Standard deviation of the estimated velocity.", least = 14,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
+field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
+    doc = "Standard deviation of the estimated Euler angles.", least = 14,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
+field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
+    doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
+field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
+    doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
+field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
+    doc = "Compensated acceleration minus the estimated gravity.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
+field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
+    doc = "Angular rate without the estimated bias.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
+field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
+    doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
+field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
+    doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "State of the filter. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, } },
+      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, } },
+      { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, } },
+    } }, { { set = 0x82, name = "filter_data.status", title = "Filter status" }, })
+field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title = "Filter timestamp",
+    doc = "GPS time of the filter data.", least = 12,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
+field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
+    doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
+    always = 2,
+    rows = {
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
+field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
+    doc = "Estimated gravity.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
+field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
+    doc = "The last heading that updated the filter and where it came from.", least = 12,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-GX5-15: only external." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
+field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
+    doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
+    always = 6,
+    rows = {
+      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Intensity north. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Intensity east. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Intensity down. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Inclination. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
+field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
+    doc = "Estimated scale factor of the gyroscope.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gyro_scale_factor", title = "Gyroscope scale factor" }, })
+field({ descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
+    doc = "Estimated scale factor of the accelerometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.accel_scale_factor", title = "Accelerometer scale factor" }, })
+field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
+    doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
+field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
+    doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
+field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
+    doc = "Estimated bias of the magnetometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Bias. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
+field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
+    doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
+field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
+    doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
+field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
+    doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
+    always = 6,
+    rows = {
+      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geopotential altitude. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Density. Unit: kg/m^3. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
+field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
+    doc = "Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.", least = 6,
+    always = 2,
+    plain = true,
+    rows = {
+      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
+field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
+    doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
+    always = 2,
+    plain = true,
+    rows = {
+      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
+field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
+    doc = "Estimated hard iron offset of the magnetometer.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Hard iron offset. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
+field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
+    doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
+    always = 2,
+    rows = {
+      { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
+field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
+    doc = "Standard deviation of the estimated hard iron offset.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
+field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
+    doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
+    always = 2,
+    rows = {
+      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
+field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
+    doc = "Covariance of the magnetometer measurement.", least = 38,
+    always = 2,
+    rows = {
+      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
+field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
+    doc = "Residual of the magnetometer measurement.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Residual. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
+field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
+    doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
+field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
+    doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
+field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
+    doc = "Estimated clock error of one GNSS receiver.", least = 11,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
+      { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.clock_correction", title = "Clock correction" }, })
+field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
+    doc = "Standard deviation of the estimated clock error of one GNSS receiver.", least = 11,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
+      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
+field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
+    doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Correction of the offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
+field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
+    doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
+field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
+    doc = "Standard deviation of the estimated position.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
+field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
+    doc = "Standard deviation of the estimated velocity.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
+field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
+    doc = "Estimated position.", least = 26,
+    always = 2,
+    rows = {
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
+field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
+    doc = "Estimated velocity.", least = 14,
+    always = 2,
+    rows = {
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity. Unit: m/s. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
+field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
+    doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
+    always = 2,
+    rows = {
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "Relative position. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
+field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
+    doc = "How the filter uses the position measurements of one GNSS receiver.", least = 15,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
+      { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
+field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
+    doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the measurements are used." },
+      { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
+field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "data", title = "Heading aiding status",
+    doc = "The heading measurement that the filter used last.", least = 13,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s." },
+      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.heading_aiding_type"], doc = "Source of the heading." },
+      { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+    } }, { { set = 0x82, name = "filter_data.heading_aiding_status", title = "Heading aiding status" }, })
+field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role = "data", title = "Aiding measurement summary",
+    doc = "What the filter did with one kind of aiding measurement in the last measurement interval.", least = 7,
+    always = 4,
+    rows = {
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s." },
+      { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Number of the source of the measurement." },
+      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.aiding_measurement_type"], doc = "Kind of measurement." },
+      { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "What the filter did with it." },
+    } }, { { set = 0x82, name = "filter_data.aiding_measurement_summary", title = "Aiding measurement summary" }, })
+field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", role = "data", title = "Odometer scale factor error",
+    doc = "Estimated relative error of the odometer scale factor.", least = 6,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error", title = "Odometer scale factor error" }, })
+field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
+    doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
+field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
+    doc = "Heading that two GNSS antennas give.", least = 17,
+    always = 6,
+    rows = {
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
+      { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
+    } }, { { set = 0x82, name = "filter_data.gnss_dual_antenna_status", title = "GNSS dual antenna status" }, })
+field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
+    doc = "Estimated error of a frame that aiding.frame_config defines; it is corrected for.", least = 29,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
+      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Error of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "attitude", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Error of the rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+    } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error", title = "Aiding frame configuration error" }, })
+field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncertainty", role = "data", title = "Aiding frame configuration error uncertainty",
+    doc = "Uncertainty of the estimated error of a frame that aiding.frame_config defines.", least = 25,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
+      { kind = "array", name = "translation_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+    } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
+field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,
     always = 1,
-    rows = rows("system_data.built_in_test", {
+    rows = {
       { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0xA0, { descriptor = 0x02, name = "system_data.time_sync_status", role = "data", title = "Time sync status",
+    } }, { { set = 0xA0, name = "system_data.built_in_test", title = "Built-in test" }, })
+field({ descriptor = 0x02, name = "system_data.time_sync_status", role = "data", title = "Time sync status",
     doc = "Whether the device time is locked to the pulse per second.", least = 2,
     always = 2,
-    rows = rows("system_data.time_sync_status", {
+    rows = {
       { kind = "scalar", name = "time_sync", type = "bool", size = 1, doc = "True while the lock is valid; false if the PPS is disabled or no pulse is found." },
       { kind = "scalar", name = "last_pps_received", type = "u8", size = 1, units = {"s", }, doc = "Time since the last pulse, at most 255. Unit: s." },
-    }) })
-field(0xA0, { descriptor = 0x03, name = "system_data.gpio_state", role = "data", title = "GPIO state",
+    } }, { { set = 0xA0, name = "system_data.time_sync_status", title = "Time sync status" }, })
+field({ descriptor = 0x03, name = "system_data.gpio_state", role = "data", title = "GPIO state",
     doc = "Levels of all user GPIO pins.", least = 1,
     always = 1,
-    rows = rows("system_data.gpio_state", {
+    rows = {
       { kind = "scalar", name = "states", type = "u8", size = 1, flags = F["system_data.gpio_pin_states"], doc = "One bit for each pin." },
-    }) })
-field(0xA0, { descriptor = 0x04, name = "system_data.gpio_analog_value", role = "data", title = "GPIO analog value",
+    } }, { { set = 0xA0, name = "system_data.gpio_state", title = "GPIO state" }, })
+field({ descriptor = 0x04, name = "system_data.gpio_analog_value", role = "data", title = "GPIO analog value",
     doc = "Voltage at one GPIO pin.", least = 5,
     always = 2,
-    rows = rows("system_data.gpio_analog_value", {
+    rows = {
       { kind = "scalar", name = "gpio_id", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "value", type = "float", size = 4, units = {"V", }, doc = "Scaled voltage. Unit: V." },
-    }) })
-field(0xFF, { descriptor = 0xD0, name = "shared.event_source", role = "data", title = "Event source",
+    } }, { { set = 0xA0, name = "system_data.gpio_analog_value", title = "GPIO analog value" }, })
+field({ descriptor = 0xD0, name = "shared.event_source", role = "data", title = "Event source",
     doc = "The event trigger that caused the packet.", least = 1,
     always = 1,
-    rows = rows("shared.event_source", {
+    rows = {
       { kind = "scalar", name = "trigger_id", type = "u8", size = 1, doc = "Id of the trigger; 0 means that the packet was scheduled by 3dm.message_format." },
-    }) })
-field(0xFF, { descriptor = 0xD1, name = "shared.ticks", role = "data", title = "Ticks",
+    } }, { { set = 0xFF, name = "shared.event_source", title = "Event source" }, })
+field({ descriptor = 0xD1, name = "shared.ticks", role = "data", title = "Ticks",
     doc = "Base periods since power-up.", least = 4,
     always = 1,
     plain = true,
-    rows = rows("shared.ticks", {
+    rows = {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },
-    }) })
-field(0xFF, { descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
+    } }, { { set = 0xFF, name = "shared.ticks", title = "Ticks" }, })
+field({ descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
     doc = "Base periods that have passed from the previous field of this kind to this one.", least = 4,
     always = 1,
-    rows = rows("shared.delta_ticks", {
+    rows = {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Ticks. Unit: 1." },
-    }) })
-field(0xFF, { descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title = "GPS timestamp",
+    } }, { { set = 0xFF, name = "shared.delta_ticks", title = "Delta ticks" }, })
+field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "External time of the data as GPS time of week and week number.", least = 12,
     always = 3,
-    rows = rows("shared.gps_timestamp", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Which parts are valid." },
-    }) })
-field(0xFF, { descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
+    } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })
+field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
     doc = "External time since this field was last sent in the same set and event instance.", least = 8,
     always = 1,
-    rows = rows("shared.delta_time", {
+    rows = {
       { kind = "scalar", name = "seconds", type = "double", size = 8, units = {"s", }, doc = "Time since the last output. Unit: s." },
-    }) })
-field(0xFF, { descriptor = 0xD5, name = "shared.reference_timestamp", role = "data", title = "Reference timestamp",
+    } }, { { set = 0xFF, name = "shared.delta_time", title = "Delta time" }, })
+field({ descriptor = 0xD5, name = "shared.reference_timestamp", role = "data", title = "Reference timestamp",
     doc = "Time of the data by the internal reference clock.", least = 8,
     always = 1,
-    rows = rows("shared.reference_timestamp", {
+    rows = {
       { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "Time since initialization. Unit: ns." },
-    }) })
-field(0xFF, { descriptor = 0xD6, name = "shared.reference_time_delta", role = "data", title = "Reference time delta",
+    } }, { { set = 0xFF, name = "shared.reference_timestamp", title = "Reference timestamp" }, })
+field({ descriptor = 0xD6, name = "shared.reference_time_delta", role = "data", title = "Reference time delta",
     doc = "Reference time since this field was last sent in the same set and event instance.", least = 8,
     always = 1,
-    rows = rows("shared.reference_time_delta", {
+    rows = {
       { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns." },
-    }) })
-field(0xFF, { descriptor = 0xD7, name = "shared.external_timestamp", role = "data", title = "External timestamp",
+    } }, { { set = 0xFF, name = "shared.reference_time_delta", title = "Reference time delta" }, })
+field({ descriptor = 0xD7, name = "shared.external_timestamp", role = "data", title = "External timestamp",
     doc = "Time of the data in the external clock domain.", least = 10,
     always = 2,
-    rows = rows("shared.external_timestamp", {
+    rows = {
       { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "External time. Unit: ns. Valid if valid_flags.nanoseconds is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_timestamp_flags"], doc = "Whether the time is valid." },
-    }) })
-field(0xFF, { descriptor = 0xD8, name = "shared.external_time_delta", role = "data", title = "External time delta",
+    } }, { { set = 0xFF, name = "shared.external_timestamp", title = "External timestamp" }, })
+field({ descriptor = 0xD8, name = "shared.external_time_delta", role = "data", title = "External time delta",
     doc = "External time since this field was last sent in the same set and event instance.", least = 10,
     always = 2,
-    rows = rows("shared.external_time_delta", {
+    rows = {
       { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns. Valid if valid_flags.dt_nanos is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_time_delta_flags"], doc = "Whether the difference is valid." },
-    }) })
-field(0x81, { descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
-    doc = "GNSS position as latitude, longitude and height.", least = 42,
-    always = 7,
-    rows = L["gnss_1.llh_position"] })
-field(0x81, { descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
-    doc = "GNSS position in Earth-fixed coordinates.", least = 30,
-    always = 3,
-    rows = L["gnss_1.ecef_position"] })
-field(0x81, { descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
-    doc = "GNSS velocity in the local level frame.", least = 34,
-    always = 7,
-    rows = L["gnss_1.ned_velocity"] })
-field(0x81, { descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
-    doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
-    always = 3,
-    rows = L["gnss_1.ecef_velocity"] })
-field(0x81, { descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
-    doc = "Dilution of precision of the satellite geometry.", least = 30,
-    always = 8,
-    rows = L["gnss_1.dop"] })
-field(0x81, { descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
-    always = 8,
-    rows = L["gnss_1.utc_time"] })
-field(0x81, { descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
-    always = 3,
-    rows = L["gnss_1.gps_time"] })
-field(0x81, { descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
-    always = 4,
-    rows = L["gnss_1.clock_info"] })
-field(0x81, { descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
-    always = 4,
-    rows = L["gnss_1.fix_info"] })
-field(0x81, { descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
-    always = 7,
-    rows = L["gnss_1.sv_info"] })
-field(0x81, { descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
-    doc = "State of the receiver and of its antenna.", least = 5,
-    always = 4,
-    rows = L["gnss_1.hardware_status"] })
-field(0x81, { descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
-    always = 5,
-    rows = L["gnss_1.dgps_info"] })
-field(0x81, { descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
-    always = 5,
-    rows = L["gnss_1.dgps_channel"] })
-field(0x81, { descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
-    always = 5,
-    rows = L["gnss_1.clock_info_2"] })
-field(0x81, { descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
-    doc = "Difference between GPS time and UTC.", least = 3,
-    always = 2,
-    rows = L["gnss_1.gps_leap_seconds"] })
-field(0x81, { descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
-    always = 7,
-    rows = L["gnss_1.sbas_info"] })
-field(0x81, { descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
-    always = 10,
-    rows = L["gnss_1.sbas_correction"] })
-field(0x81, { descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
-    rows = L["gnss_1.rf_error_detection"] })
-field(0x81, { descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
-    always = 10,
-    rows = L["gnss_1.satellite_status"] })
-field(0x81, { descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
-    always = 19,
-    rows = L["gnss_1.raw"] })
-field(0x81, { descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
-    always = 7,
-    rows = L["gnss_1.base_station_info"] })
-field(0x81, { descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
-    always = 10,
-    rows = L["gnss_1.rtk_corrections_status"] })
-field(0x81, { descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.gps_ephemeris"] })
-field(0x81, { descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
-    always = 25,
-    rows = L["gnss_1.glonass_ephemeris"] })
-field(0x81, { descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.galileo_ephemeris"] })
-field(0x81, { descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.beidou_ephemeris"] })
-field(0x81, { descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
-    always = 5,
-    rows = L["gnss_1.gps_iono_correction"] })
-field(0x81, { descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
-    always = 5,
-    rows = L["gnss_1.galileo_iono_correction"] })
-field(0x81, { descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
-    always = 6,
-    rows = L["gnss_1.beidou_iono_correction"] })
-field(0x92, { descriptor = 0x03, name = "gnss_2.llh_position", role = "data", title = "GNSS LLH position",
-    doc = "GNSS position as latitude, longitude and height.", least = 42,
-    always = 7,
-    rows = L["gnss_1.llh_position"] })
-field(0x92, { descriptor = 0x04, name = "gnss_2.ecef_position", role = "data", title = "GNSS ECEF position",
-    doc = "GNSS position in Earth-fixed coordinates.", least = 30,
-    always = 3,
-    rows = L["gnss_1.ecef_position"] })
-field(0x92, { descriptor = 0x05, name = "gnss_2.ned_velocity", role = "data", title = "NED velocity",
-    doc = "GNSS velocity in the local level frame.", least = 34,
-    always = 7,
-    rows = L["gnss_1.ned_velocity"] })
-field(0x92, { descriptor = 0x06, name = "gnss_2.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
-    doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
-    always = 3,
-    rows = L["gnss_1.ecef_velocity"] })
-field(0x92, { descriptor = 0x07, name = "gnss_2.dop", role = "data", title = "DOP",
-    doc = "Dilution of precision of the satellite geometry.", least = 30,
-    always = 8,
-    rows = L["gnss_1.dop"] })
-field(0x92, { descriptor = 0x08, name = "gnss_2.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
-    always = 8,
-    rows = L["gnss_1.utc_time"] })
-field(0x92, { descriptor = 0x09, name = "gnss_2.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
-    always = 3,
-    rows = L["gnss_1.gps_time"] })
-field(0x92, { descriptor = 0x0A, name = "gnss_2.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
-    always = 4,
-    rows = L["gnss_1.clock_info"] })
-field(0x92, { descriptor = 0x0B, name = "gnss_2.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
-    always = 4,
-    rows = L["gnss_1.fix_info"] })
-field(0x92, { descriptor = 0x0C, name = "gnss_2.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
-    always = 7,
-    rows = L["gnss_1.sv_info"] })
-field(0x92, { descriptor = 0x0D, name = "gnss_2.hardware_status", role = "data", title = "GNSS hardware status",
-    doc = "State of the receiver and of its antenna.", least = 5,
-    always = 4,
-    rows = L["gnss_1.hardware_status"] })
-field(0x92, { descriptor = 0x0E, name = "gnss_2.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
-    always = 5,
-    rows = L["gnss_1.dgps_info"] })
-field(0x92, { descriptor = 0x0F, name = "gnss_2.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
-    always = 5,
-    rows = L["gnss_1.dgps_channel"] })
-field(0x92, { descriptor = 0x10, name = "gnss_2.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
-    always = 5,
-    rows = L["gnss_1.clock_info_2"] })
-field(0x92, { descriptor = 0x11, name = "gnss_2.gps_leap_seconds", role = "data", title = "GPS leap seconds",
-    doc = "Difference between GPS time and UTC.", least = 3,
-    always = 2,
-    rows = L["gnss_1.gps_leap_seconds"] })
-field(0x92, { descriptor = 0x12, name = "gnss_2.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
-    always = 7,
-    rows = L["gnss_1.sbas_info"] })
-field(0x92, { descriptor = 0x13, name = "gnss_2.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
-    always = 10,
-    rows = L["gnss_1.sbas_correction"] })
-field(0x92, { descriptor = 0x14, name = "gnss_2.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
-    rows = L["gnss_1.rf_error_detection"] })
-field(0x92, { descriptor = 0x20, name = "gnss_2.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
-    always = 10,
-    rows = L["gnss_1.satellite_status"] })
-field(0x92, { descriptor = 0x22, name = "gnss_2.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
-    always = 19,
-    rows = L["gnss_1.raw"] })
-field(0x92, { descriptor = 0x30, name = "gnss_2.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
-    always = 7,
-    rows = L["gnss_1.base_station_info"] })
-field(0x92, { descriptor = 0x31, name = "gnss_2.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
-    always = 10,
-    rows = L["gnss_1.rtk_corrections_status"] })
-field(0x92, { descriptor = 0x61, name = "gnss_2.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.gps_ephemeris"] })
-field(0x92, { descriptor = 0x62, name = "gnss_2.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
-    always = 25,
-    rows = L["gnss_1.glonass_ephemeris"] })
-field(0x92, { descriptor = 0x63, name = "gnss_2.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.galileo_ephemeris"] })
-field(0x92, { descriptor = 0x64, name = "gnss_2.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.beidou_ephemeris"] })
-field(0x92, { descriptor = 0x71, name = "gnss_2.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
-    always = 5,
-    rows = L["gnss_1.gps_iono_correction"] })
-field(0x92, { descriptor = 0x73, name = "gnss_2.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
-    always = 5,
-    rows = L["gnss_1.galileo_iono_correction"] })
-field(0x92, { descriptor = 0x74, name = "gnss_2.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
-    always = 6,
-    rows = L["gnss_1.beidou_iono_correction"] })
-field(0x93, { descriptor = 0x03, name = "gnss_corrections.llh_position", role = "data", title = "GNSS LLH position",
-    doc = "GNSS position as latitude, longitude and height.", least = 42,
-    always = 7,
-    rows = L["gnss_1.llh_position"] })
-field(0x93, { descriptor = 0x04, name = "gnss_corrections.ecef_position", role = "data", title = "GNSS ECEF position",
-    doc = "GNSS position in Earth-fixed coordinates.", least = 30,
-    always = 3,
-    rows = L["gnss_1.ecef_position"] })
-field(0x93, { descriptor = 0x05, name = "gnss_corrections.ned_velocity", role = "data", title = "NED velocity",
-    doc = "GNSS velocity in the local level frame.", least = 34,
-    always = 7,
-    rows = L["gnss_1.ned_velocity"] })
-field(0x93, { descriptor = 0x06, name = "gnss_corrections.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
-    doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
-    always = 3,
-    rows = L["gnss_1.ecef_velocity"] })
-field(0x93, { descriptor = 0x07, name = "gnss_corrections.dop", role = "data", title = "DOP",
-    doc = "Dilution of precision of the satellite geometry.", least = 30,
-    always = 8,
-    rows = L["gnss_1.dop"] })
-field(0x93, { descriptor = 0x08, name = "gnss_corrections.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
-    always = 8,
-    rows = L["gnss_1.utc_time"] })
-field(0x93, { descriptor = 0x09, name = "gnss_corrections.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
-    always = 3,
-    rows = L["gnss_1.gps_time"] })
-field(0x93, { descriptor = 0x0A, name = "gnss_corrections.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
-    always = 4,
-    rows = L["gnss_1.clock_info"] })
-field(0x93, { descriptor = 0x0B, name = "gnss_corrections.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
-    always = 4,
-    rows = L["gnss_1.fix_info"] })
-field(0x93, { descriptor = 0x0C, name = "gnss_corrections.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
-    always = 7,
-    rows = L["gnss_1.sv_info"] })
-field(0x93, { descriptor = 0x0D, name = "gnss_corrections.hardware_status", role = "data", title = "GNSS hardware status",
-    doc = "State of the receiver and of its antenna.", least = 5,
-    always = 4,
-    rows = L["gnss_1.hardware_status"] })
-field(0x93, { descriptor = 0x0E, name = "gnss_corrections.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
-    always = 5,
-    rows = L["gnss_1.dgps_info"] })
-field(0x93, { descriptor = 0x0F, name = "gnss_corrections.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
-    always = 5,
-    rows = L["gnss_1.dgps_channel"] })
-field(0x93, { descriptor = 0x10, name = "gnss_corrections.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
-    always = 5,
-    rows = L["gnss_1.clock_info_2"] })
-field(0x93, { descriptor = 0x11, name = "gnss_corrections.gps_leap_seconds", role = "data", title = "GPS leap seconds",
-    doc = "Difference between GPS time and UTC.", least = 3,
-    always = 2,
-    rows = L["gnss_1.gps_leap_seconds"] })
-field(0x93, { descriptor = 0x12, name = "gnss_corrections.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
-    always = 7,
-    rows = L["gnss_1.sbas_info"] })
-field(0x93, { descriptor = 0x13, name = "gnss_corrections.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
-    always = 10,
-    rows = L["gnss_1.sbas_correction"] })
-field(0x93, { descriptor = 0x14, name = "gnss_corrections.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
-    rows = L["gnss_1.rf_error_detection"] })
-field(0x93, { descriptor = 0x20, name = "gnss_corrections.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
-    always = 10,
-    rows = L["gnss_1.satellite_status"] })
-field(0x93, { descriptor = 0x22, name = "gnss_corrections.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
-    always = 19,
-    rows = L["gnss_1.raw"] })
-field(0x93, { descriptor = 0x30, name = "gnss_corrections.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
-    always = 7,
-    rows = L["gnss_1.base_station_info"] })
-field(0x93, { descriptor = 0x31, name = "gnss_corrections.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
-    always = 10,
-    rows = L["gnss_1.rtk_corrections_status"] })
-field(0x93, { descriptor = 0x61, name = "gnss_corrections.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.gps_ephemeris"] })
-field(0x93, { descriptor = 0x62, name = "gnss_corrections.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
-    always = 25,
-    rows = L["gnss_1.glonass_ephemeris"] })
-field(0x93, { descriptor = 0x63, name = "gnss_corrections.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.galileo_ephemeris"] })
-field(0x93, { descriptor = 0x64, name = "gnss_corrections.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.beidou_ephemeris"] })
-field(0x93, { descriptor = 0x71, name = "gnss_corrections.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
-    always = 5,
-    rows = L["gnss_1.gps_iono_correction"] })
-field(0x93, { descriptor = 0x73, name = "gnss_corrections.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
-    always = 5,
-    rows = L["gnss_1.galileo_iono_correction"] })
-field(0x93, { descriptor = 0x74, name = "gnss_corrections.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
-    always = 6,
-    rows = L["gnss_1.beidou_iono_correction"] })
-field(0x94, { descriptor = 0x03, name = "gnss_external.llh_position", role = "data", title = "GNSS LLH position",
-    doc = "GNSS position as latitude, longitude and height.", least = 42,
-    always = 7,
-    rows = L["gnss_1.llh_position"] })
-field(0x94, { descriptor = 0x04, name = "gnss_external.ecef_position", role = "data", title = "GNSS ECEF position",
-    doc = "GNSS position in Earth-fixed coordinates.", least = 30,
-    always = 3,
-    rows = L["gnss_1.ecef_position"] })
-field(0x94, { descriptor = 0x05, name = "gnss_external.ned_velocity", role = "data", title = "NED velocity",
-    doc = "GNSS velocity in the local level frame.", least = 34,
-    always = 7,
-    rows = L["gnss_1.ned_velocity"] })
-field(0x94, { descriptor = 0x06, name = "gnss_external.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
-    doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
-    always = 3,
-    rows = L["gnss_1.ecef_velocity"] })
-field(0x94, { descriptor = 0x07, name = "gnss_external.dop", role = "data", title = "DOP",
-    doc = "Dilution of precision of the satellite geometry.", least = 30,
-    always = 8,
-    rows = L["gnss_1.dop"] })
-field(0x94, { descriptor = 0x08, name = "gnss_external.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
-    always = 8,
-    rows = L["gnss_1.utc_time"] })
-field(0x94, { descriptor = 0x09, name = "gnss_external.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
-    always = 3,
-    rows = L["gnss_1.gps_time"] })
-field(0x94, { descriptor = 0x0A, name = "gnss_external.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
-    always = 4,
-    rows = L["gnss_1.clock_info"] })
-field(0x94, { descriptor = 0x0B, name = "gnss_external.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
-    always = 4,
-    rows = L["gnss_1.fix_info"] })
-field(0x94, { descriptor = 0x0C, name = "gnss_external.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
-    always = 7,
-    rows = L["gnss_1.sv_info"] })
-field(0x94, { descriptor = 0x0D, name = "gnss_external.hardware_status", role = "data", title = "GNSS hardware status",
-    doc = "State of the receiver and of its antenna.", least = 5,
-    always = 4,
-    rows = L["gnss_1.hardware_status"] })
-field(0x94, { descriptor = 0x0E, name = "gnss_external.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
-    always = 5,
-    rows = L["gnss_1.dgps_info"] })
-field(0x94, { descriptor = 0x0F, name = "gnss_external.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
-    always = 5,
-    rows = L["gnss_1.dgps_channel"] })
-field(0x94, { descriptor = 0x10, name = "gnss_external.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
-    always = 5,
-    rows = L["gnss_1.clock_info_2"] })
-field(0x94, { descriptor = 0x11, name = "gnss_external.gps_leap_seconds", role = "data", title = "GPS leap seconds",
-    doc = "Difference between GPS time and UTC.", least = 3,
-    always = 2,
-    rows = L["gnss_1.gps_leap_seconds"] })
-field(0x94, { descriptor = 0x12, name = "gnss_external.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
-    always = 7,
-    rows = L["gnss_1.sbas_info"] })
-field(0x94, { descriptor = 0x13, name = "gnss_external.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
-    always = 10,
-    rows = L["gnss_1.sbas_correction"] })
-field(0x94, { descriptor = 0x14, name = "gnss_external.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
-    rows = L["gnss_1.rf_error_detection"] })
-field(0x94, { descriptor = 0x20, name = "gnss_external.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
-    always = 10,
-    rows = L["gnss_1.satellite_status"] })
-field(0x94, { descriptor = 0x22, name = "gnss_external.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
-    always = 19,
-    rows = L["gnss_1.raw"] })
-field(0x94, { descriptor = 0x30, name = "gnss_external.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
-    always = 7,
-    rows = L["gnss_1.base_station_info"] })
-field(0x94, { descriptor = 0x31, name = "gnss_external.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
-    always = 10,
-    rows = L["gnss_1.rtk_corrections_status"] })
-field(0x94, { descriptor = 0x61, name = "gnss_external.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.gps_ephemeris"] })
-field(0x94, { descriptor = 0x62, name = "gnss_external.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
-    always = 25,
-    rows = L["gnss_1.glonass_ephemeris"] })
-field(0x94, { descriptor = 0x63, name = "gnss_external.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.galileo_ephemeris"] })
-field(0x94, { descriptor = 0x64, name = "gnss_external.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.beidou_ephemeris"] })
-field(0x94, { descriptor = 0x71, name = "gnss_external.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
-    always = 5,
-    rows = L["gnss_1.gps_iono_correction"] })
-field(0x94, { descriptor = 0x73, name = "gnss_external.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
-    always = 5,
-    rows = L["gnss_1.galileo_iono_correction"] })
-field(0x94, { descriptor = 0x74, name = "gnss_external.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
-    always = 6,
-    rows = L["gnss_1.beidou_iono_correction"] })
-field(0x95, { descriptor = 0x03, name = "gnss_external_2.llh_position", role = "data", title = "GNSS LLH position",
-    doc = "GNSS position as latitude, longitude and height.", least = 42,
-    always = 7,
-    rows = L["gnss_1.llh_position"] })
-field(0x95, { descriptor = 0x04, name = "gnss_external_2.ecef_position", role = "data", title = "GNSS ECEF position",
-    doc = "GNSS position in Earth-fixed coordinates.", least = 30,
-    always = 3,
-    rows = L["gnss_1.ecef_position"] })
-field(0x95, { descriptor = 0x05, name = "gnss_external_2.ned_velocity", role = "data", title = "NED velocity",
-    doc = "GNSS velocity in the local level frame.", least = 34,
-    always = 7,
-    rows = L["gnss_1.ned_velocity"] })
-field(0x95, { descriptor = 0x06, name = "gnss_external_2.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
-    doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
-    always = 3,
-    rows = L["gnss_1.ecef_velocity"] })
-field(0x95, { descriptor = 0x07, name = "gnss_external_2.dop", role = "data", title = "DOP",
-    doc = "Dilution of precision of the satellite geometry.", least = 30,
-    always = 8,
-    rows = L["gnss_1.dop"] })
-field(0x95, { descriptor = 0x08, name = "gnss_external_2.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
-    always = 8,
-    rows = L["gnss_1.utc_time"] })
-field(0x95, { descriptor = 0x09, name = "gnss_external_2.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
-    always = 3,
-    rows = L["gnss_1.gps_time"] })
-field(0x95, { descriptor = 0x0A, name = "gnss_external_2.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
-    always = 4,
-    rows = L["gnss_1.clock_info"] })
-field(0x95, { descriptor = 0x0B, name = "gnss_external_2.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
-    always = 4,
-    rows = L["gnss_1.fix_info"] })
-field(0x95, { descriptor = 0x0C, name = "gnss_external_2.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
-    always = 7,
-    rows = L["gnss_1.sv_info"] })
-field(0x95, { descriptor = 0x0D, name = "gnss_external_2.hardware_status", role = "data", title = "GNSS hardware status",
-    doc = "State of the receiver and of its antenna.", least = 5,
-    always = 4,
-    rows = L["gnss_1.hardware_status"] })
-field(0x95, { descriptor = 0x0E, name = "gnss_external_2.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
-    always = 5,
-    rows = L["gnss_1.dgps_info"] })
-field(0x95, { descriptor = 0x0F, name = "gnss_external_2.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
-    always = 5,
-    rows = L["gnss_1.dgps_channel"] })
-field(0x95, { descriptor = 0x10, name = "gnss_external_2.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
-    always = 5,
-    rows = L["gnss_1.clock_info_2"] })
-field(0x95, { descriptor = 0x11, name = "gnss_external_2.gps_leap_seconds", role = "data", title = "GPS leap seconds",
-    doc = "Difference between GPS time and UTC.", least = 3,
-    always = 2,
-    rows = L["gnss_1.gps_leap_seconds"] })
-field(0x95, { descriptor = 0x12, name = "gnss_external_2.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
-    always = 7,
-    rows = L["gnss_1.sbas_info"] })
-field(0x95, { descriptor = 0x13, name = "gnss_external_2.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
-    always = 10,
-    rows = L["gnss_1.sbas_correction"] })
-field(0x95, { descriptor = 0x14, name = "gnss_external_2.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
-    rows = L["gnss_1.rf_error_detection"] })
-field(0x95, { descriptor = 0x20, name = "gnss_external_2.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
-    always = 10,
-    rows = L["gnss_1.satellite_status"] })
-field(0x95, { descriptor = 0x22, name = "gnss_external_2.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
-    always = 19,
-    rows = L["gnss_1.raw"] })
-field(0x95, { descriptor = 0x30, name = "gnss_external_2.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
-    always = 7,
-    rows = L["gnss_1.base_station_info"] })
-field(0x95, { descriptor = 0x31, name = "gnss_external_2.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections are received, and how old they are.", least = 50,
-    always = 10,
-    rows = L["gnss_1.rtk_corrections_status"] })
-field(0x95, { descriptor = 0x61, name = "gnss_external_2.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.gps_ephemeris"] })
-field(0x95, { descriptor = 0x62, name = "gnss_external_2.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
-    always = 25,
-    rows = L["gnss_1.glonass_ephemeris"] })
-field(0x95, { descriptor = 0x63, name = "gnss_external_2.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.galileo_ephemeris"] })
-field(0x95, { descriptor = 0x64, name = "gnss_external_2.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
-    always = 34,
-    rows = L["gnss_1.beidou_ephemeris"] })
-field(0x95, { descriptor = 0x71, name = "gnss_external_2.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
-    always = 5,
-    rows = L["gnss_1.gps_iono_correction"] })
-field(0x95, { descriptor = 0x73, name = "gnss_external_2.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
-    always = 5,
-    rows = L["gnss_1.galileo_iono_correction"] })
-field(0x95, { descriptor = 0x74, name = "gnss_external_2.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
-    always = 6,
-    rows = L["gnss_1.beidou_iono_correction"] })
+    } }, { { set = 0xFF, name = "shared.external_time_delta", title = "External time delta" }, })
 
 local DEVICES = {
   { id = "3dm-cl5-15", title = "3DM-CL5-15" },
@@ -4520,8 +3938,8 @@ local DEVICES = {
 -- ---------------------------------------------------------------------------------------------------------- filters
 -- What can be filtered: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
 
-local mip = Proto("mip_protocol", "MIP, MicroStrain Inertial Protocol")
-local stream = Proto("mip_stream", "MIP, chunks of a byte stream")
+local mip = Proto(NAME, TITLE)
+local stream = Proto("mip_stream", TITLE .. ", chunks of a byte stream")
 
 local registered = {}
 
@@ -4530,7 +3948,7 @@ local function filter(field)
   return field
 end
 
-local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0", "wrong checksum" }
+local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0 or 255", "wrong checksum" }
 local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
@@ -4646,7 +4064,8 @@ bind.counter = bind.constant
 
 function bind.bits(row, path)
   local at = inner(path, row.name)
-  return { row = row, filter = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc)), bits = bit_filters(row.flags, at) }
+  local whole = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc))
+  return { row = row, filter = whole, bits = bit_filters(row.flags, at) }
 end
 
 function bind.text(row, path)
@@ -4803,7 +4222,8 @@ function read.constant(b, reader, record, nodes)
   local row, found = b.row, nodes[#nodes]
   if reader.raw:sub(found.at + 1, found.at + found.size) ~= row.value then
     found.wrong = true
-    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), whole(unsigned(row.value, 0, #row.value))))
+    local right = whole(unsigned(row.value, 0, #row.value))
+    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), right))
   end
 end
 
@@ -5096,7 +4516,8 @@ function add.array(made, context)
     return text
   end
   local count = #made.parts
-  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, count == 1 and "element" or "elements"))
+  local noun = count == 1 and "element" or "elements"
+  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, noun))
   local read_as = reading(row.readings, context.record)
   if read_as and read_as.flags then
     bit_lines(read_as.flags, item, range)
@@ -5239,6 +4660,11 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
+-- No packet has set 0 or 0xFF: they stand for the fields of every command set and of every data set.
+local function is_set(number)
+  return number ~= 0 and number ~= SHARED
+end
+
 -- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
@@ -5252,7 +4678,7 @@ local function scan(raw, final, limit)
     end
     at = sync - 1
     local size = packet_size(raw, at)
-    if raw:byte(at + 3) == 0 then
+    if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
       at = at + 1
     elseif not size or at + size > #raw then
       if not final then
@@ -5301,7 +4727,7 @@ local function pieces(raw, at, stop)
     local sync = raw:find(SYNC, at + 1, true)
     if sync and sync - 1 == at and sync < stop then
       local size = packet_size(raw, at)
-      if #raw > at + 2 and raw:byte(at + 3) == 0 then
+      if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
         piece.reason = 2
       elseif not size or at + size > #raw then
         piece.reason = 1
@@ -5328,7 +4754,8 @@ end
 local function show_skipped(piece, data, tree)
   local range = data:range(piece.at, piece.size)
   local item = tree:add(own.skipped, range)
-  item:set_text(string.format("Skipped: %d %s%s", piece.size, piece.size == 1 and "byte" or "bytes", shown_bytes(range:raw())))
+  local noun = piece.size == 1 and "byte" or "bytes"
+  item:set_text(string.format("Skipped: %d %s%s", piece.size, noun, shown_bytes(range:raw())))
   item:add(own.reason, piece.reason):set_generated()
   item:add_proto_expert_info(experts.skipped)
 end
@@ -5351,7 +4778,8 @@ local show = {} -- by role: what is said of a field beside its values; gives its
 
 function show.command(f, packet, item, record, key)
   if packet.good then
-    local exchange = command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
+    local exchange =
+      command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
     show_request(exchange, item)
   end
   local selected = f.required and E["function_selector"][record["function"]]
@@ -5372,7 +4800,8 @@ end
 local function show_acknowledge(packet, item, record, key)
   local title, code = command_title(packet.set, record.command), record.code
   local name = E["ack_code"][code] or whole(code)
-  packet.exchange = packet.good and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
+  packet.exchange = packet.good
+    and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
   if packet.exchange then
     show_answer(packet.exchange, item)
   end
@@ -5589,7 +5018,8 @@ local function dissect_chunk(tvb, pinfo, tree)
     local from = math.max(rest, #head)
     local item = tree:add(stream, data:range(from, #raw - from))
     local size = #raw - from
-    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, size == 1 and "byte" or "bytes"))
+    local noun = size == 1 and "byte" or "bytes"
+    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, noun))
   end
   show_columns(pinfo, #texts > 0 and texts or { rest and "part of a packet" or "no packet" })
   show_sides(pinfo, direction)
@@ -5619,7 +5049,7 @@ local function looks_like(raw)
   if recognized(raw) then
     return true
   end
-  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not SETS[raw:byte(3)] then
+  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not is_set(raw:byte(3)) or not SETS[raw:byte(3)] then
     return false
   end
   local length, first = raw:byte(4), raw:byte(5)
@@ -5639,16 +5069,20 @@ end
 
 -- ------------------------------------------------------------------------- preferences
 
-preferences.tcp_ports = Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
-preferences.udp_ports = Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
-preferences.user_dlts = Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
+preferences.tcp_ports =
+  Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
+preferences.udp_ports =
+  Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
+preferences.user_dlts =
+  Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
 do
   local devices = { { 1, "any", 0 } }
   for i, device in ipairs(DEVICES) do
     devices[i + 1] = { i + 1, device.title, i }
   end
-  preferences.device = Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
+  preferences.device =
+    Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 
@@ -5727,7 +5161,7 @@ local LONGEST = 255 + AROUND -- bytes of a packet
 local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
-local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"
+local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
 -- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
 local function next_bytes(file)

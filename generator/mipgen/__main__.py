@@ -4,7 +4,7 @@ import gc
 import io
 import sys
 
-from .cli import main
+from mipgen.cli import main
 
 
 def run() -> int:

@@ -86,7 +86,8 @@ function read.constant(b, reader, record, nodes)
   local row, found = b.row, nodes[#nodes]
   if reader.raw:sub(found.at + 1, found.at + found.size) ~= row.value then
     found.wrong = true
-    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), whole(unsigned(row.value, 0, #row.value))))
+    local right = whole(unsigned(row.value, 0, #row.value))
+    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), right))
   end
 end
 

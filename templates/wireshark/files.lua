@@ -5,7 +5,7 @@ local LONGEST = 255 + AROUND -- bytes of a packet
 local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
-local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"
+local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
 -- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
 local function next_bytes(file)

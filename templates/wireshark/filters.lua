@@ -1,8 +1,8 @@
 -- ---------------------------------------------------------------------------------------------------------- filters
 -- What can be filtered: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
 
-local mip = Proto("mip_protocol", "MIP, MicroStrain Inertial Protocol")
-local stream = Proto("mip_stream", "MIP, chunks of a byte stream")
+local mip = Proto(NAME, TITLE)
+local stream = Proto("mip_stream", TITLE .. ", chunks of a byte stream")
 
 local registered = {}
 
@@ -11,7 +11,7 @@ local function filter(field)
   return field
 end
 
-local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0", "wrong checksum" }
+local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0 or 255", "wrong checksum" }
 local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
@@ -127,7 +127,8 @@ bind.counter = bind.constant
 
 function bind.bits(row, path)
   local at = inner(path, row.name)
-  return { row = row, filter = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc)), bits = bit_filters(row.flags, at) }
+  local whole = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc))
+  return { row = row, filter = whole, bits = bit_filters(row.flags, at) }
 end
 
 function bind.text(row, path)

@@ -21,6 +21,11 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
+-- No packet has set 0 or 0xFF: they stand for the fields of every command set and of every data set.
+local function is_set(number)
+  return number ~= 0 and number ~= SHARED
+end
+
 -- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
@@ -34,7 +39,7 @@ local function scan(raw, final, limit)
     end
     at = sync - 1
     local size = packet_size(raw, at)
-    if raw:byte(at + 3) == 0 then
+    if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
       at = at + 1
     elseif not size or at + size > #raw then
       if not final then
@@ -83,7 +88,7 @@ local function pieces(raw, at, stop)
     local sync = raw:find(SYNC, at + 1, true)
     if sync and sync - 1 == at and sync < stop then
       local size = packet_size(raw, at)
-      if #raw > at + 2 and raw:byte(at + 3) == 0 then
+      if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
         piece.reason = 2
       elseif not size or at + size > #raw then
         piece.reason = 1
@@ -110,7 +115,8 @@ end
 local function show_skipped(piece, data, tree)
   local range = data:range(piece.at, piece.size)
   local item = tree:add(own.skipped, range)
-  item:set_text(string.format("Skipped: %d %s%s", piece.size, piece.size == 1 and "byte" or "bytes", shown_bytes(range:raw())))
+  local noun = piece.size == 1 and "byte" or "bytes"
+  item:set_text(string.format("Skipped: %d %s%s", piece.size, noun, shown_bytes(range:raw())))
   item:add(own.reason, piece.reason):set_generated()
   item:add_proto_expert_info(experts.skipped)
 end
@@ -133,7 +139,8 @@ local show = {} -- by role: what is said of a field beside its values; gives its
 
 function show.command(f, packet, item, record, key)
   if packet.good then
-    local exchange = command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
+    local exchange =
+      command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
     show_request(exchange, item)
   end
   local selected = f.required and E["function_selector"][record["function"]]
@@ -154,7 +161,8 @@ end
 local function show_acknowledge(packet, item, record, key)
   local title, code = command_title(packet.set, record.command), record.code
   local name = E["ack_code"][code] or whole(code)
-  packet.exchange = packet.good and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
+  packet.exchange = packet.good
+    and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
   if packet.exchange then
     show_answer(packet.exchange, item)
   end

@@ -100,7 +100,8 @@ local function dissect_chunk(tvb, pinfo, tree)
     local from = math.max(rest, #head)
     local item = tree:add(stream, data:range(from, #raw - from))
     local size = #raw - from
-    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, size == 1 and "byte" or "bytes"))
+    local noun = size == 1 and "byte" or "bytes"
+    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, noun))
   end
   show_columns(pinfo, #texts > 0 and texts or { rest and "part of a packet" or "no packet" })
   show_sides(pinfo, direction)
@@ -130,7 +131,7 @@ local function looks_like(raw)
   if recognized(raw) then
     return true
   end
-  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not SETS[raw:byte(3)] then
+  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not is_set(raw:byte(3)) or not SETS[raw:byte(3)] then
     return false
   end
   local length, first = raw:byte(4), raw:byte(5)
@@ -150,16 +151,20 @@ end
 
 -- ------------------------------------------------------------------------- preferences
 
-preferences.tcp_ports = Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
-preferences.udp_ports = Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
-preferences.user_dlts = Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
+preferences.tcp_ports =
+  Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
+preferences.udp_ports =
+  Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
+preferences.user_dlts =
+  Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
 do
   local devices = { { 1, "any", 0 } }
   for i, device in ipairs(DEVICES) do
     devices[i + 1] = { i + 1, device.title, i }
   end
-  preferences.device = Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
+  preferences.device =
+    Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 

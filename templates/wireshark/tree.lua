@@ -152,7 +152,8 @@ function add.array(made, context)
     return text
   end
   local count = #made.parts
-  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, count == 1 and "element" or "elements"))
+  local noun = count == 1 and "element" or "elements"
+  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, noun))
   local read_as = reading(row.readings, context.record)
   if read_as and read_as.flags then
     bit_lines(read_as.flags, item, range)

@@ -84,7 +84,7 @@ def main() -> None:
     log = BUILD / "stream.bin"
     log.write_bytes(stream())
     commands = programs()
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python")}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT / "tools"), str(ROOT / "generated/python")))}
     figures: dict[str, list[tuple[float, float]]] = {name: [] for name in commands}
     for _ in range(ROUNDS):
         for name, command in commands.items():

@@ -13,13 +13,13 @@ import subprocess
 from pathlib import Path
 
 import streams
-from mipgen.resolve import load_model
+from mipgen.resolve.load import load_model
 
 ROOT = Path(__file__).parents[2]
 HERE = Path(__file__).parent
 BUILD = ROOT / "build/bench"
 SOURCES = ROOT / "generated/c/src"
-README = ROOT / "templates/c/bench.md"
+README = ROOT / "spec/programs/bench_c.md"
 SIZE = 1_000_000
 ROUNDS, TURNS = 20, 4
 

@@ -2,7 +2,7 @@
 
 The loop unpacks each field with a struct that its author knows, keeps the values in lists, and checks no checksum.
 All run in turn, on the time of this process alone; the median of the ratios counts. Compiled are the innermost loops
-that `python -m mip_protocol.columns.build` makes.
+that `python -m mip_tools.columns.build` makes.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ from itertools import accumulate
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "generated/python"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tools"))
 
-from mip_protocol import filter_data, read_log, sensor, shared
-from mip_protocol.columns import native
-from mip_protocol.columns.build import build
-from mip_protocol.errors import Failure
+from mip_protocol import filter_data, sensor, shared
+from mip_tools.columns import native, read_log
+from mip_tools.columns.build import build
+from mip_tools.errors import Failure
 
 PACKETS = 600_000
 ROUNDS = 7

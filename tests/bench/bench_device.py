@@ -3,7 +3,7 @@
 import time
 
 from mip_protocol import mip_3dm, sensor, shared, types
-from mip_protocol.simulator import VirtualDevice
+from mip_tools.simulator import VirtualDevice
 
 SECONDS = 10
 FIELDS = (

@@ -17,10 +17,10 @@ from typing import NamedTuple
 
 import streams
 from bench_c import BUILD, HERE, ROOT, SOURCES, Row, library, measure, run, table, version
-from mipgen.resolve import load_model
+from mipgen.resolve.load import load_model
 
 CRATE = ROOT / "generated/rust"
-README = ROOT / "templates/rust/bench.md"
+README = ROOT / "spec/programs/bench_rust.md"
 SIZE = 1_000_000
 EMBEDDED = "thumbv7em-none-eabi"
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from random import Random
 
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 
 #: The packets of one cycle of a log, as an inertial sensor with a filter sends them; 44 bytes on average.
 CYCLE = (

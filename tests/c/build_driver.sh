@@ -4,6 +4,7 @@
 #     build_driver.sh GENERATED_FOLDER BUILD_FOLDER
 #
 # MIP_SANITIZE=1 builds it with the address and undefined behavior sanitizers. CC chooses the compiler, CFLAGS adds options.
+# MIP_LIBRARY names the library, if it has been built already.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 generated=$(cd "$1" && pwd)
@@ -24,7 +25,7 @@ stamp=$(cat "$here"/driver/* "$generated"/src/mip/* | cksum)
 stamp="$CC $flags $generated $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
     # shellcheck disable=SC2086
-    "$CC" $flags -I"$generated/src" "$here"/driver/*.c "$generated"/src/mip/*.c -o "$program"
+    "$CC" $flags -I"$generated/src" "$here"/driver/*.c ${MIP_LIBRARY:-"$generated"/src/mip/*.c} -o "$program"
     printf '%s\n' "$stamp" >"$program.stamp"
 fi
 printf '%s\n' "$program"

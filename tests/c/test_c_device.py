@@ -9,12 +9,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include, run
-from mipgen import cli, codec
+from c_build import HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from mipgen import cli
 from mipgen import model as m
+from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
+from spec_defaults import filled as filled_in
 from support import PATIENCE, SPECS, heavy, model, need, simulated
-from terse import filled as filled_in
 from test_c import both, build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -156,7 +157,7 @@ def test_every_call(spec: str, tmp_path: Path) -> None:
     wanted = {c.name for f in of.fields if f.role == m.COMMAND for c in calls.calls(f, of)}
     functions = sum(max(1, len(f.functions)) for f in of.fields if f.role == m.COMMAND)
     assert {name for name, _ in found} == wanted and len(wanted) >= functions
-    headers = "".join(f'#include "mip/{names.module(s.name)}_commands.h"\n' for s in of.sets if calls.commands(s))
+    headers = "".join(f'#include "mip/{names.module(x.name)}_commands.h"\n' for x in of.families if calls.commands(x))
     checks = ["mip_device_init(&device, &port, NULL, 0);", *(c for _, c in found)]
     program = written(tmp_path / "calls.c", of, checks, f"{headers}{PORT}")
     run(build(tmp_path, "cc", spec, program, *SANITIZE))
@@ -238,7 +239,7 @@ def example(tmp_path: Path, name: str, *also: Path) -> Path:
     if name.endswith(".cpp"):
         library = archive("real", "cc", "-std=c99")
         return compiled(out, "real", "g++", EXAMPLES / name, "-std=c++11", library=library)
-    library = archive("real", "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+    library = archive("real", "cc", *SANITIZED)  # that of the unit programs
     return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also, library=library)
 
 
@@ -298,7 +299,7 @@ int main(void) {
 
 def test_posix_after_a_hang_up(tmp_path: Path) -> None:
     (tmp_path / "hang_up.c").write_text(HANG_UP)
-    library = archive("real", "cc", "-std=c99", "-O1", *SANITIZE)
+    library = archive("real", "cc", *SANITIZED)
     flags = ["-std=gnu99", f"-I{EXAMPLES}", *SANITIZE]
     program = compiled(tmp_path / "hang_up", "real", "cc", tmp_path / "hang_up.c", *flags, library=library)
     assert ran(program)[0] == 0
@@ -316,5 +317,5 @@ def test_cplusplus(tmp_path: Path) -> None:
         host, _, port = place.rpartition(":")
         code, out, error = ran(program, host, port)
     name, *lines = out.splitlines()
-    assert (code, error) == (0, "") and name.startswith("3DM-CV7-GNSS/INS") and len(lines) == 10
+    assert (code, error) == (0, "") and name.startswith("3DM-CV7-GNSS/INS") and len(lines) >= 10
     assert ran(program, host, port)[::2] == (1, f"no connection to {host}:{port}\n")

@@ -11,8 +11,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from mipgen import describe
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.targets.c import calls, members, names
 from mipgen.targets.c.comments import ELSEWHERE, UNSURE, Comments, comment, reference
 from support import ROOT, SPECS, heavy, model, need
@@ -77,7 +77,7 @@ def declared(statement: str) -> str:
 def comments(spec: str) -> dict[str, str]:
     found: dict[str, str] = {}
     for path in sorted((SPECS[spec][1] / "c/src/mip").glob("*.h")):
-        if not (ROOT / "templates/c/runtime/src/mip" / path.name).exists():
+        if not (ROOT / "runtime/c/src/mip" / path.name).exists():
             found |= documented(path.read_text("utf-8"))
     return found
 
@@ -108,7 +108,8 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
         yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
         if of.devices_of(f, certain=False) and not of.devices_of(f):
             yield name, [UNSURE]
-        place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
+        one = f.set and len(f.occurrences) == 1
+        place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if one else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}.", *in_full(f)]
         yield from of_record(f, of)
         yield from of_arguments(f, of)
@@ -132,6 +133,10 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     for d in of.devices:
         told = [d.title, prose(d.description, of), *said(describe.device(d, of)), *describe.sources(d)]
         yield f"mip_profile_{d.name}", told
+    for x in of.families:
+        for s in x.sets if len(x.sets) > 1 else ():
+            told = [s.title, prose(s.description, of), *said(describe.uncertain(s, of))]
+            yield names.set_constant(s), told
 
 
 def of_arguments(f: m.Field, of: m.Model) -> Iterator[tuple[str, list[str]]]:
@@ -184,10 +189,10 @@ def test_what_is_compared_holds_all_topics() -> None:
     facts += [x for d in of.devices for x in describe.device(d, of)]
     facts += [x for t in of.all_types if isinstance(t, m.Bitfield) for b in t.bits for x in describe.bits(b, of)]
     assert {x.topic for x in facts} >= {
-        "advanced", "alias", "also", "case", "commands", "constant", "counts", "default", "definition", "deprecated",
+        "advanced", "alias", "also", "case", "commands", "constant", "counts", "default", "deprecated",
         "deprecation", "devices", "elements", "frame", "functions", "generation", "incomplete", "layout", "like",
         "manual", "max_rate", "model_number", "note", "optional", "perhaps", "place", "range", "required", "reserved",
-        "responses", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
+        "responses", "sets", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
     }  # fmt: skip
 
 
@@ -196,9 +201,9 @@ def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
     """Which devices may support a field takes more lines than all else; each file says where it is told."""
     of = model(spec)
     assert not [name for name, text in comments(spec).items() if "May be supported by" in text]
-    for s in of.sets:
-        text = (SPECS[spec][1] / f"c/src/mip/{names.module(s.name)}.h").read_text("utf-8")
-        unsure = any(of.devices_of(f, certain=False) for f in s.fields)
+    for x in of.families:
+        text = (SPECS[spec][1] / f"c/src/mip/{names.module(x.name)}.h").read_text("utf-8")
+        unsure = any(of.devices_of(f, certain=False) for f in x.fields)
         assert (ELSEWHERE in plain(text.partition("*/")[0])) == unsure
 
 
@@ -276,12 +281,20 @@ def test_words_of_c() -> None:
     assert reference(describe.Ref(ping, "base.ping")) == "mip_base_ping"
 
 
-def test_the_text_of_a_set() -> None:
+def test_the_text_of_a_family_and_its_sets() -> None:
     of = model("invented")
-    s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
+    tools = next(x for x in of.families if x.name == "tools")
+    x = replace(tools, description="As `tools.ping`.", uncertain=("How `mode` is.",))
     told = ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How enum mip_mode is."]
-    assert Comments(of).set(s) == [*told, ELSEWHERE]
-    assert Comments(of).set(replace(s, fields=())) == told
+    assert Comments(of).family(x) == [*told, ELSEWHERE]
+    assert Comments(of).family(replace(x, fields=())) == told
+    assert Comments(of).set(x.sets[0], x) == ["Descriptor set of these fields."]
+    several = next(x for x in of.families if x.name == "measurements")
+    assert Comments(of).family(several)[1].startswith("Measurements. ")
+    assert Comments(of).set(several.sets[2], several) == [
+        "Descriptor set: Copied measurements. All the fields of another set. Uncertain: Which device sends it."
+    ]
+    assert "Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET." in comments("invented")["mip_measurements_radio"]
 
 
 def test_the_text_of_a_device() -> None:

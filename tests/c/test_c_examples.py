@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from c_build import SANITIZE, archive, include, run
+from c_build import SANITIZE, SANITIZED, archive, include, run
 from mipgen import model as m
 from mipgen.targets.c import members as target_members
 from mipgen.targets.c import names
@@ -46,14 +46,14 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
         lines.append(f"mip_builder_start(&b, buffer, sizeof(buffer), {e.set});")
         for f in e.fields:
             field = of.field(f.field) if f.field else None
-            lines += raw(f) if field is None or f.trailing else built(field, f.values or {}, of)
+            lines += raw(f) if field is None or f.trailing else built(field, f.values or {})
         lines.append(f'check("{e.id}", &b, "{e.packet.hex()}");')
     lines += [f'printf("{len(of.examples)} examples\\n");', "return failed;", "}"]
     program = tmp_path / "examples.c"
     program.write_text("\n".join(lines))
     out = tmp_path / "examples"
     flags = ["-std=c99", *SANITIZE]
-    library = archive(spec, "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+    library = archive(spec, "cc", *SANITIZED)  # that of the unit programs
     run(need("cc"), *flags, "-Wall", "-Wextra", "-Wconversion", "-Werror", include(spec), program, library, "-o", out)
     done = subprocess.run([str(out)], capture_output=True, text=True)
     assert done.returncode == 0 and done.stdout == f"{len(of.examples)} examples\n", done.stdout + done.stderr
@@ -64,13 +64,12 @@ def raw(f: m.ExampleField) -> list[str]:
     return [f"{{ const uint8_t d[] = {{{octets}}}; mip_builder_add(&b, {f.descriptor}, d, {len(f.data)}); }}"]
 
 
-def built(field: m.Field, values: dict[str, Any], of: m.Model) -> list[str]:
-    own = of.original(field)
-    name = names.record_name(own)
+def built(field: m.Field, values: dict[str, Any]) -> list[str]:
+    name = names.record_name(field)
     lines = [f"{{ struct {name} v;", "memset(&v, 0, sizeof(v));"]
-    lines += members("v", own.parameters, values)
-    there = max((i + 1 for i, p in enumerate(own.counted) if p.name in values), default=0)
-    if own.optional and there > own.required(values.get("function")):
+    lines += members("v", field.parameters, values)
+    there = max((i + 1 for i, p in enumerate(field.counted) if p.name in values), default=0)
+    if field.optional and there > field.required(values.get("function")):
         lines.append(f"v.present = {there};")
     return [*lines, f'if ({name}_encode(&v, &b) != MIP_OK) {{ printf("{name}\\n"); return 2; }} }}']
 

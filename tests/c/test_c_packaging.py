@@ -6,6 +6,7 @@ Where the real tool is too large, tests/c/packages stands for what the library s
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 import tarfile
@@ -13,12 +14,13 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import heavy, model, need
+from support import ROOT, heavy, need
 from test_c import HERE, both, folder, run, sources
 
 PACKAGES = HERE / "packages"
+PACKAGES_OF_C = "other build systems of C"
 ARDUINO = folder("real") / "examples/arduino/arduino.ino"
-VERSION = model("real").protocol.version
+VERSION = re.search(r"^version: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)[1]  # type: ignore[index]
 README = (folder("real") / "README.md").read_text("utf-8")
 
 
@@ -30,7 +32,7 @@ def shown(section: str, language: str) -> list[str]:
     return found
 
 
-def taste(program: Path, **environment: str) -> None:
+def quickstart(program: Path, **environment: str) -> None:
     assert run(program, **environment) == "8 bytes to send\n0.2445 g along x\n"
 
 
@@ -43,7 +45,7 @@ def project(tmp_path: Path) -> Path:
     """Of a user: a program, and the library in the folder mip."""
     where = tmp_path / "project"
     shutil.copytree(folder("real"), where / "mip")
-    shutil.copy(folder("real") / "taste.c", where / "main.c")
+    shutil.copy(folder("real") / "quickstart.c", where / "main.c")
     return where
 
 
@@ -94,7 +96,7 @@ def test_folder_alone_builds(project: Path) -> None:
         assert (project / "mip" / name).is_file()
     (line,) = shown("Add it to your project", "sh")
     run("sh", "-c", f"cd {project} && {line}")
-    taste(project / "main")
+    quickstart(project / "main")
 
 
 @both
@@ -129,7 +131,7 @@ def test_what_marks_an_export(defines: str, expected: str, tmp_path: Path) -> No
 # --------------------------------------------------------------------------- CMake
 
 
-@pytest.mark.parametrize("how", ["subdirectory", "fetched"])
+@pytest.mark.parametrize("how", ["subdirectory", pytest.param("fetched", marks=heavy(PACKAGES_OF_C))])
 def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> None:
     """It installs nothing into the prefix of the project, unless the project wants it to."""
     subdirectory, fetched, _ = shown("CMake", "cmake")
@@ -145,7 +147,7 @@ def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> Non
     lines = fetched if how == "fetched" else subdirectory
     other = "add_library(mip INTERFACE)\n"  # what the vendor's SDK calls its target
     cmake(user(project, other + lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
-    taste(build / "main")
+    quickstart(build / "main")
     assert "-isystem" in (build / "build.ninja").read_text("utf-8")
     run(need("cmake"), "--install", build)
     assert installed(prefix) == ["bin/main"]
@@ -155,7 +157,7 @@ def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> Non
         assert {"bin/main", "lib/libmip.a", "include/mip/core.h", "lib/pkgconfig/mip.pc"} <= {*installed(prefix)}
 
 
-@pytest.mark.parametrize("kind", ["static", "shared"])
+@pytest.mark.parametrize("kind", ["static", pytest.param("shared", marks=heavy(PACKAGES_OF_C))])
 def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
     """Found by CMake and by pkg-config after the whole prefix has moved, to a folder with a blank in its name."""
     commands = shown("CMake", "sh")[0].splitlines()
@@ -178,15 +180,16 @@ def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
         assert exported(library / "libmip.so") == marked() > {"mip_parser_next"}
 
     cmake(user(project, shown("CMake", "cmake")[2]), tmp_path / "user", f"-DCMAKE_PREFIX_PATH={moved}")
-    taste(tmp_path / "user/main")
+    quickstart(tmp_path / "user/main")
 
     package = {"PKG_CONFIG_PATH": f"{library}/pkgconfig"}
     assert run(need("pkg-config"), "--modversion", "mip", **package).strip() == VERSION
     flags = run(need("pkg-config"), "--cflags", "mip", **package)
     assert ("-DMIP_SHARED" in flags) == (kind == "shared")
     line = shown("CMake", "sh")[1].strip()
-    run("sh", "-c", f'cd {project} && eval "{line}"', **package)  # eval: for the blank
-    taste(project / "main", LD_LIBRARY_PATH=str(library))
+    path = f"{Path(need('pkg-config')).parent}{os.pathsep}{os.environ['PATH']}"  # where only pkgconf of PyPI has one
+    run("sh", "-c", f'cd {project} && eval "{line}"', PATH=path, **package)  # eval: for the blank
+    quickstart(project / "main", LD_LIBRARY_PATH=str(library))
 
 
 @pytest.mark.parametrize("libdir", ["lib/machine", "/other/lib"])
@@ -219,6 +222,7 @@ def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- Meson
 
 
+@heavy(PACKAGES_OF_C)
 def test_meson_subproject(project: Path, tmp_path: Path) -> None:
     """It installs nothing into the prefix of the project."""
     (project / "subprojects").mkdir()
@@ -227,10 +231,11 @@ def test_meson_subproject(project: Path, tmp_path: Path) -> None:
     build = tmp_path / "build"
     meson("setup", build, project, "--wrap-mode=forcefallback")
     meson("compile", "-C", build)
-    taste(build / "main")
+    quickstart(build / "main")
     assert json.loads(meson("introspect", "--installed", build)) == {}
 
 
+@heavy(PACKAGES_OF_C)
 def test_meson_installed(project: Path, tmp_path: Path) -> None:
     """A shared library, which is Meson's default, found by another project of Meson, which asks pkg-config."""
     prefix = tmp_path / "prefix"
@@ -245,13 +250,14 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
     (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
     meson("setup", tmp_path / "user", project, f"--pkg-config-path={moved}/lib/pkgconfig")
     meson("compile", "-C", tmp_path / "user")
-    taste(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
+    quickstart(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
     assert exported(moved / "lib/libmip.so") == marked() > {"mip_parser_next"}
 
 
 # --------------------------------------------------------------------------- boards
 
 
+@heavy(PACKAGES_OF_C)
 def test_platformio(project: Path) -> None:
     """What the manifest must have, and a build as PlatformIO does it: all of src, with src as the include path."""
     library = project / "lib/mip"
@@ -266,7 +272,7 @@ def test_platformio(project: Path) -> None:
     main.write_text(f'#include "{manifest["headers"]}"\n{main.read_text("utf-8")}')
     files = sorted((library / "src").rglob("*.c"))
     run(need("cc"), "-std=gnu11", f"-I{library}/src", main, *files, "-o", project / "program")
-    taste(project / "program")
+    quickstart(project / "program")
 
 
 def test_arduino_manifest() -> None:
@@ -305,6 +311,7 @@ def test_arduino(project: Path, tmp_path: Path) -> None:
     }
 
 
+@heavy(PACKAGES_OF_C)
 def test_esp_idf(project: Path, tmp_path: Path) -> None:
     component = project / "components/mip"
     component.parent.mkdir()
@@ -314,11 +321,12 @@ def test_esp_idf(project: Path, tmp_path: Path) -> None:
     (project / "main/CMakeLists.txt").write_text(shown("ESP-IDF", "cmake")[0])
     run(need("cmake"), f"-DCOMPONENT={component}", "-P", PACKAGES / "esp_idf/requirements.cmake")
     cmake(PACKAGES / "esp_idf", tmp_path / "build", f"-DPROJECT={project}")
-    taste(tmp_path / "build/program")
+    quickstart(tmp_path / "build/program")
     manifest = yaml.safe_load((component / "idf_component.yml").read_text("utf-8"))
     assert manifest["version"] == VERSION and manifest["license"] == "MIT" and manifest["description"]
 
 
+@heavy(PACKAGES_OF_C)
 def test_zephyr(project: Path, tmp_path: Path) -> None:
     module = yaml.safe_load((project / "mip/zephyr/module.yml").read_text("utf-8"))
     assert module == {"name": "mip", "build": {"cmake": "zephyr", "kconfig": "zephyr/Kconfig"}}
@@ -331,7 +339,7 @@ def test_zephyr(project: Path, tmp_path: Path) -> None:
     )
     (project / "prj.conf").write_text(option)
     cmake(project, tmp_path / "build", f"-DZephyr_DIR={PACKAGES}/zephyr")
-    taste(tmp_path / "build/program")
+    quickstart(tmp_path / "build/program")
     (project / "prj.conf").write_text("")  # without the option it is not even compiled
     (project / "main.c").write_text("int main(void) { return 0; }\n")
     cmake(project, tmp_path / "without", f"-DZephyr_DIR={PACKAGES}/zephyr")

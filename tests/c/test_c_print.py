@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from c_build import HERE, SANITIZE, archive, compiled
-from mipgen import codec
+from c_build import HERE, SANITIZE, SANITIZED, archive, compiled
 from mipgen import model as m
-from strategies import drawn
+from mipgen.lower import codec
+from random_values import drawn
 from support import BUILD, SPECS, all_fields, locked, model, set_of
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -27,7 +27,7 @@ Request = tuple[str, str, int, bytes]
 def printer(spec: str) -> Path:
     out = BUILD / f"print-{spec}"
     with locked(out):
-        library = archive(spec, "cc", "-std=c99", "-O1", *SANITIZE)  # that of the unit programs
+        library = archive(spec, "cc", *SANITIZED)  # that of the unit programs
         return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE, library=library)
 
 
@@ -180,7 +180,7 @@ def field_text(of: m.Model, number: int, descriptor: int, data: bytes, device: s
     if f is None:
         error = "  error: layout\n" if candidates else ""
         return f"unknown {place}\n{error}  raw:{hexadecimal(data)}\n"
-    head = f"{f.full_name}: {f.role} {place}\n"
+    head = f"{f.name_in(number)}: {f.role} {place}\n"
     try:
         values, trailing = codec.decode(f, data)
     except codec.CodecError as error:
@@ -194,8 +194,8 @@ def field_text(of: m.Model, number: int, descriptor: int, data: bytes, device: s
 
 
 def packet_text(of: m.Model, packet: bytes, verdict: str = "") -> str:
-    own = sorted((f.descriptor, i) for i, f in enumerate(of.fields) if f.set == packet[2])
-    name = f" {of.fields[own[0][1]].set_name}" if own else ""
+    known = of.set(packet[2])
+    name = f" {known.name}" if known else ""
     out = f"packet (0x{packet[2]:02X}){name}, {len(packet)} bytes{verdict}\n"
     payload = packet[4:-2]
     while payload:
@@ -209,9 +209,9 @@ def packet_text(of: m.Model, packet: bytes, verdict: str = "") -> str:
 
 
 def bytes_text(of: m.Model, data: bytes) -> str:
-    wrong = (
-        "sync" if data[:2] != b"ue" else "length" if len(data) < 6 or len(data) != data[3] + 6 or not data[2] else ""
-    )
+    wrong = "sync" if data[:2] != b"ue" else ""
+    if not wrong and (len(data) < 6 or len(data) != data[3] + 6 or data[2] in (0, m.SHARED_SET)):
+        wrong = "length"
     if wrong:
         return f"no packet ({wrong}), {len(data)} bytes\n{dump(data)}"
     sum, right = data[-2:].hex().upper(), codec.checksum(data[:-2]).hex().upper()
@@ -279,7 +279,8 @@ def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.
         for values in drawn(f, count):
             try:
                 data = codec.encode(f, values)
-                yield f, codec.build(of, set_of(f, of), [(f.descriptor, data)])
+                for number in (o.set for o in f.occurrences) if f.everywhere is None else [set_of(f, of)]:
+                    yield f, codec.build(of, number, [(f.descriptor, data)])
             except codec.CodecError:
                 continue  # too long for a field
 
@@ -388,7 +389,7 @@ def test_garbage(spec: str) -> None:
     """Whatever the bytes are: packets cut, with wrong lengths, wrong checksums, random fields."""
     of, dice = model(spec), random.Random(5)
     numbers = [s.number for s in of.sets] + [0x7F]
-    places = [(f.set, f.descriptor) for f in of.fields if f.set not in (0, 0xFF)]
+    places = [(o.set, f.descriptor) for f in of.fields if f.everywhere is None for o in f.occurrences]
     made = [b"", b"u", b"ue", b"ue\x01", bytes(20), bytes(range(256)), bytes(300)]
     for _ in range(1500):
         number, descriptor = dice.choice(places) if dice.random() < 0.8 else (dice.choice(numbers), dice.randrange(256))

@@ -1,7 +1,7 @@
 """What a command client must do, plain and short, on the generator's reference codec.
 
 The drivers of all languages are held against it: the steps of a `client` request in, its events out.
-docs/new-language.md describes both.
+docs/conformance.md describes both.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import support
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 
 Event = dict[str, Any]
 TIMEOUT = 1000  # milliseconds, unless a command is known to take longer
@@ -175,7 +175,7 @@ def is_silent(command: m.Field, values: dict[str, Any]) -> bool:
 
 
 def responses(of: m.Model, command: m.Field) -> list[m.Field]:
-    found = [of.field(f"{command.set_name}.{name}") for name in command.responses]
+    found = [of.field(f"{command.family}.{name}") for name in command.responses]
     return [f for f in found if f is not None]
 
 

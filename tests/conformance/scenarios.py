@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from random import Random
 from typing import Any
 
 from conformance.client_model import TIMEOUT, Client, Waiting, responses
-from hypothesis import strategies as st
-from mipgen import codec
 from mipgen import model as m
-from strategies import field_values
+from mipgen.lower import codec
+from random_values import field_values
 
 Step = dict[str, Any]
 Entry = tuple[m.Field, dict[str, Any]]  # a command with its values
@@ -469,81 +469,75 @@ def plain_payload(w: Words, field: Wire, rest: bytes) -> bytes:
 # --------------------------------------------------------------------------- random ones
 
 
-@st.composite
-def random_steps(draw: Any, w: Words) -> list[Step]:
+def random_steps(chance: Random, w: Words) -> list[Step]:
     """Few commands, so that an answer meets several of them, and anything that a line may bring."""
-    number = draw(st.sampled_from([f.set for f in w.of.fields if f.role == m.COMMAND]))
+    number = chance.choice([f.set for f in w.of.fields if f.role == m.COMMAND])
     own = [f for f in w.of.fields if f.role == m.COMMAND and f.set == number]
     special = [f for f in own if len(f.responses) > 1 or f.silent_when or f.timeout]
-    commands = draw(st.lists(st.sampled_from(own), min_size=1, max_size=2))
-    commands.append(draw(st.sampled_from(special or own)))
+    commands = [chance.choice(own) for _ in range(chance.randint(1, 2))]
+    commands.append(chance.choice(special or own))
     client = Client(w.of)  # knows what waits
-    steps = [w.send(*draw(entries(commands)))]
+    steps = [w.send(*entries(chance, commands))]
     client.send(steps[0])
-    for _ in range(draw(st.integers(2, 9))):
-        kind = draw(st.integers(0, 9))
+    for _ in range(chance.randint(2, 9)):
+        kind = chance.randrange(10)
         if kind < 3:
-            steps.append(w.send(*draw(entries(commands))))
+            steps.append(w.send(*entries(chance, commands)))
             client.send(steps[-1])
         elif kind < 5:
-            steps.append(time(125 * draw(st.integers(1, 12))))  # whole eighths: exact in seconds too
+            steps.append(time(125 * chance.randint(1, 12)))  # whole eighths: exact in seconds too
             client.time(steps[-1])
         else:
             waiting = list(client.waiting)
-            parts = [draw(part(w, number, waiting, commands)) for _ in range(draw(st.integers(1, 3)))]
-            steps.append(receive(*parts, chunk=draw(st.sampled_from([1, 2, 7, 64, 1000]))))
+            parts = [part(chance, w, number, waiting, commands) for _ in range(chance.randint(1, 3))]
+            steps.append(receive(*parts, chunk=chance.choice([1, 2, 7, 64, 1000])))
             client.receive(steps[-1])
     return [*steps, END]
 
 
-def entries(commands: list[m.Field]) -> st.SearchStrategy[list[Entry]]:
-    one = st.sampled_from(commands).flatmap(lambda c: st.tuples(st.just(c), command_values(c)))
-    return st.lists(one, min_size=1, max_size=3)
+def entries(chance: Random, commands: list[m.Field]) -> list[Entry]:
+    chosen = [chance.choice(commands) for _ in range(chance.randint(1, 3))]
+    return [(c, command_values(chance, c)) for c in chosen]
 
 
-def command_values(command: m.Field) -> st.SearchStrategy[dict[str, Any]]:
+def command_values(chance: Random, command: m.Field) -> dict[str, Any]:
     """Those of every function, those that select a response, and any."""
+    if chance.random() < 1 / 3:
+        return field_values(chance, command)
     chosen = [values_of(command, f.letter) for f in command.functions] or [values_of(command)]
     chosen += [v for v in chosen if v.get("function") == 2] * 2  # most is to be said of reading
     for p in command.parameters:
         if isinstance(p.element, (m.Enum, m.Scalar)) and not p.selector and p.constant is None and p.length is None:
             chosen += [{**v, p.name: n} for v in chosen[-3:] for n in (1, 2) if isinstance(v.get(p.name), int)][:8]
-    return st.one_of(st.sampled_from(chosen), st.sampled_from(chosen), field_values(command))
+    return chance.choice(chosen)
 
 
-def part(w: Words, number: int, waiting: list[Waiting], commands: list[m.Field]) -> st.SearchStrategy[bytes]:
+def part(chance: Random, w: Words, number: int, waiting: list[Waiting], commands: list[m.Field]) -> bytes:
     """A reply, mostly to what waits; or data, or noise."""
-
-    @st.composite
-    def replies(draw: Any) -> bytes:
-        fields: list[Wire] = []
-        for _ in range(draw(st.integers(1, 3))):
-            some = draw(st.sampled_from(waiting)) if waiting and draw(st.integers(0, 4)) else None
-            command = some.command if some else draw(st.sampled_from(commands))
-            wanted = draw(st.sampled_from(some.wanted)) if some and some.wanted else None
-            fields += draw(reply(w, command, wanted))
-        sets = [number] * 6 + [w.other_set, 0x80]
-        return w.reply(*fitting(fields), number=draw(st.sampled_from(sets)))
-
-    others = st.sampled_from([w.data, w.data, NMEA, LONG, b"u", b"ue", b"ueue", b"ue\0\0"])
-    return st.one_of(replies(), replies(), replies(), others)
+    if chance.random() < 0.25:
+        return chance.choice([w.data, w.data, NMEA, LONG, b"u", b"ue", b"ueue", b"ue\0\0"])
+    fields: list[Wire] = []
+    for _ in range(chance.randint(1, 3)):
+        some = chance.choice(waiting) if waiting and chance.random() < 0.8 else None
+        command = some.command if some else chance.choice(commands)
+        fields += reply(chance, w, command, chance.choice(some.wanted) if some and some.wanted else None)
+    return w.reply(*fitting(fields), number=chance.choice([number] * 6 + [w.other_set, 0x80]))
 
 
-@st.composite
-def reply(draw: Any, w: Words, command: m.Field, wanted: m.Field | None) -> list[Wire]:
+def reply(chance: Random, w: Words, command: m.Field, wanted: m.Field | None) -> list[Wire]:
     """The right answer, or one with a fault."""
-    fault = draw(st.sampled_from(["none"] * 6 + ["code", "missing", "other", "cut", "cut", "between", "foreign"]))
-    ack = w.ack(command, draw(st.sampled_from([1, 3, 200])) if fault == "code" else 0)
+    fault = chance.choice(["none"] * 6 + ["code", "missing", "other", "cut", "cut", "between", "foreign"])
+    ack = w.ack(command, chance.choice([1, 3, 200]) if fault == "code" else 0)
     known = [r for r in w.of.fields if r.role == m.RESPONSE and r.set == command.set]
-    if fault == "other" or (wanted is None and draw(st.booleans())):
-        wanted = draw(st.sampled_from(responses(w.of, command) or known)) if known else None
+    if fault == "other" or (wanted is None and chance.random() < 0.5):
+        wanted = chance.choice(responses(w.of, command) or known) if known else None
     if fault == "foreign":
         short = (ack[0], ack[1][:1])
-        return [draw(st.sampled_from([(UNKNOWN, b"\1"), short, (command.descriptor, b"")]))]
+        return [chance.choice([(UNKNOWN, b"\1"), short, (command.descriptor, b"")])]
     if wanted is None or fault == "missing":
         return [ack]
-    data = codec.encode(wanted, draw(st.one_of(st.just(values_of(wanted)), field_values(wanted))))
-    data = data[: draw(st.integers(0, len(data) - 1))] if fault == "cut" and data else data
+    data = codec.encode(wanted, values_of(wanted) if chance.random() < 0.5 else field_values(chance, wanted))
+    data = data[: chance.randrange(len(data))] if fault == "cut" and data else data
     return [ack, *([(UNKNOWN, b"")] if fault == "between" else []), (wanted.descriptor, data)]
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import random
 from functools import cache
 from typing import Any
 
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from strategies import drawn
+from mipgen.lower import codec
+from random_values import chance as chance_of
+from random_values import drawn
 from support import (
     all_fields,
     decode_request,
@@ -27,9 +29,15 @@ from support import (
 def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Asks the driver and holds its answers against the reference."""
     answers = driver(language, spec).ask(requests)
-    wrong = differences(requests, [expected(model(spec), r) for r in requests], answers)
+    wrong = differences(requests, wanted(spec, json.dumps(requests)), answers)
     assert not wrong, wrong
     return answers
+
+
+@cache
+def wanted(spec: str, requests: str) -> list[dict[str, Any]]:
+    """The same for every language."""
+    return [expected(model(spec), r) for r in json.loads(requests)]
 
 
 # --------------------------------------------------------------------------- printed packets
@@ -96,10 +104,50 @@ def test_random_values_of_every_field_encode(language: str, spec: str) -> None:
 
 @each("decode")
 def test_random_values_of_every_field_decode(language: str, spec: str) -> None:
+    of = model(spec)
     decoded = compare(language, spec, [{"op": "decode", "packet": p} for p in random_packets(spec)])
     for (f, _), answer in zip(random_values(spec), decoded, strict=True):
         (got,) = answer["fields"]
-        assert got["name"] == f.full_name and got["trailing"] == 0
+        assert got["name"] == f.name_in(set_of(f, of)) and got["trailing"] == 0
+
+
+@each("decode")
+def test_every_field_decodes_in_each_of_its_sets(language: str, spec: str) -> None:
+    """Its name begins with that of the set, the values are the same; in another set of its family it is none."""
+    of = model(spec)
+    places = [(f, number, codec.encode(f, values)) for f, values in one_of_each(spec) for number in numbers(f, of)]
+    requests = [decode_request(codec.build(of, number, [(f.descriptor, data)])) for f, number, data in places]
+    for (f, number, _), answer in zip(places, compare(language, spec, requests), strict=True):
+        name = answer["fields"][0].get("name")
+        assert name == f.name_in(number) if number in f.sets else name is None or of.field(name) != f
+    assert len({f.name_in(number) for f, number, _ in places}) > len(all_fields(of))
+
+
+@each("encode")
+def test_every_field_encodes_in_each_of_its_sets(language: str, spec: str) -> None:
+    """In a set in which it does not occur, and with a name that it has in another one, it is unknown."""
+    of, requests, wanted = model(spec), [], []
+    for f, values in one_of_each(spec):
+        for number in numbers(f, of):
+            for name in dict.fromkeys(f.name_in(n) for n in numbers(f, of)):
+                (entry,) = encode_request(number, f, values)["fields"]
+                requests.append({"op": "encode", "set": number, "fields": [{**entry, "name": name}]})
+                wanted.append(number in f.sets and name == f.name_in(number))
+    answers = compare(language, spec, requests)
+    assert ["packet" in a for a in answers] == wanted
+
+
+def numbers(f: m.Field, of: m.Model) -> list[int]:
+    """Sets in which a field occurs, all of them if it does not occur everywhere; and the others of its family."""
+    family = of.family(f.family)
+    known = [s.number for s in family.sets] if family and not f.everywhere else [f.sets[0], f.sets[-1]]
+    return [*known, next(n for n in (0x01, 0x80) if n not in f.sets)]
+
+
+@cache
+def one_of_each(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
+    """Values for every field."""
+    return list({f.full_name: (f, values) for f, values in random_values(spec)}.values())
 
 
 @cache
@@ -123,7 +171,7 @@ def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
 @each("decode")
 def test_every_prefix_of_every_field(language: str, spec: str) -> None:
     """A field that is too short is an error, unless what is there is a shorter form."""
-    of, chance = model(spec), random.Random(1)
+    of, chance = model(spec), chance_of(1)
     requests = []
     for f in all_fields(of):
         for data in samples(f, chance):
@@ -147,7 +195,7 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
             for n in range(m.MAX_FIELD_DATA + 1):
                 data = bytes(start[:n].ljust(n, b"\1"))
                 requests.append(decode_request(codec.build(of, f.set, [(f.descriptor, data)])))
-                wanted.append(f.full_name if start is head and n in of.sizes(f) and n >= f.min_size else None)
+                wanted.append(f.name_in(f.set) if start is head and n in of.sizes(f) and n >= f.min_size else None)
     answers = compare(language, spec, requests)
     assert {a["fields"][0].get("name") for a in answers} > {None} or not requests
     for name, answer in zip(wanted, answers, strict=True):
@@ -173,7 +221,7 @@ def test_what_random_bytes_decode_to_encodes_to_them(language: str, spec: str) -
 
 @cache
 def random_bytes(spec: str) -> list[dict[str, Any]]:
-    of, chance = model(spec), random.Random(2)
+    of, chance = model(spec), chance_of(2)
     requests = []
     for f in all_fields(of):
         for _ in range(12):
@@ -235,7 +283,7 @@ def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
 @each("encode")
 def test_wrong_values_are_refused(language: str, spec: str) -> None:
     """One fault at a time; the reference says which it is."""
-    of, chance = model(spec), random.Random(3)
+    of, chance = model(spec), chance_of(3)
     requests = []
     for f in all_fields(of):
         data = samples(f, chance)[0]
@@ -316,14 +364,14 @@ def test_no_request_kills_a_driver(language: str) -> None:
 
 # --------------------------------------------------------------------------- streams
 
-#: Descriptor set 0 is not a packet, however right its checksum is.
-NO_PACKET = b"ue\x00\x00" + codec.checksum(b"ue\x00\x00")
+#: Descriptor sets 0 and 0xFF are not packets, however right their checksum is.
+NO_PACKETS = [head + codec.checksum(head) for head in (b"ue\x00\x00", b"ue\xff\x00")]
 NMEA = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
 
 
 def streams(spec: str) -> list[bytes]:
     """Packets among all that can come between them."""
-    chance = random.Random(4)
+    chance = chance_of(4)
     packets = sorted({e.packet for e in model(spec).examples})
     packets.append(codec.build(model(spec), 1, []))
     found = []
@@ -341,7 +389,7 @@ def streams(spec: str) -> list[bytes]:
                         b"u",
                         b"ueue",
                         b"ue\x00\x00",
-                        NO_PACKET,
+                        *NO_PACKETS,
                         b"ue\x80\xff" + packet,
                         packet[: chance.randrange(len(packet))],
                         packet[:-1] + bytes([packet[-1] ^ 1]),
@@ -366,14 +414,14 @@ def test_streams_in_many_chunkings(language: str, spec: str) -> None:
 
 
 @pytest.mark.parametrize("language", offering("decode"))
-def test_descriptor_set_0_does_not_decode(language: str) -> None:
-    assert compare(language, "invented", [decode_request(NO_PACKET)]) == [{"error": "length"}]
+def test_packets_without_a_descriptor_set_do_not_decode(language: str) -> None:
+    assert compare(language, "invented", list(map(decode_request, NO_PACKETS))) == [{"error": "length"}] * 2
 
 
 @pytest.mark.parametrize("language", offering("parse"))
-def test_descriptor_set_0_is_not_a_packet(language: str) -> None:
-    answers = compare(language, "invented", [{"op": "parse", "stream": NO_PACKET.hex(), "chunk": 1}])
-    assert answers == [{"packets": [], "skipped": len(NO_PACKET)}]
+def test_no_packet_has_descriptor_set_0_or_255(language: str) -> None:
+    requests = [{"op": "parse", "stream": p.hex(), "chunk": n} for p in NO_PACKETS for n in (1, 64)]
+    assert compare(language, "invented", requests) == [{"packets": [], "skipped": 6}] * 4
 
 
 @each("parse")

@@ -9,27 +9,19 @@ import sys
 from pathlib import Path
 
 import pytest
-from mipgen.discovery import OPERATIONS
+from mipgen.emit.target import OPERATIONS
 from support import OFFERS, ROOT, SOURCES, build_script
 
 #: A target whose driver finds packets, and nothing else.
 TARGET = """
-from mipgen.render import File
+from mipgen.emit.target import File, Target
 
-TITLE = "nothing"
-CONFORMANCE = ("parse",)
-{needs}
 
 def files(model):
     yield File("set.txt", "set.txt.j2")
 
 
-def identifiers(model):
-    return ()
-
-
-def filters(model):
-    return {{}}
+TARGET = Target(title="nothing", files=files, {declared})
 """
 BUILD_DRIVER = """#!/bin/sh
 test -f "$1/set.txt" && echo "env PYTHONPATH={paths} ${{PYTHON:-python3}} {driver}"
@@ -60,12 +52,12 @@ def test_the_bindings_offer_everything(operation: str) -> None:
     assert {name for name, offered in OFFERS.items() if operation in offered} >= {"c", "python", "rust"}
 
 
-def mine(folder: Path, driver: str = DRIVER, needs: str = "") -> Path:
+def mine(folder: Path, driver: str = DRIVER, declared: str = 'conformance=("parse",)') -> Path:
     """A folder of targets with one that has a driver."""
     paths = os.pathsep.join((str(ROOT / "generator"), str(ROOT / "tests")))
     (folder / "mine").mkdir(parents=True)
     for name, text in (
-        ("target.py", TARGET.format(needs=needs)),
+        ("target.py", TARGET.format(declared=declared)),
         ("set.txt.j2", "{{ model.sets | length }}\n"),
         ("build_driver.sh", BUILD_DRIVER.format(paths=paths, driver=folder / "mine/driver.py")),
         ("driver.py", driver),
@@ -98,40 +90,40 @@ def test_a_wrong_driver_fails(tmp_path: Path) -> None:
 
 
 def test_other_tools_are_named(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, needs='NEEDS = "punched cards"'))
+    said = suite(mine(tmp_path, declared='conformance=("parse",), needs="punched cards"'))
     assert re.search("left out, for `make test-all`: .*punched cards", said), said
 
 
 def test_a_driver_runs_where_its_program_is(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, needs='PROGRAM = "sh"'))
+    said = suite(mine(tmp_path, declared='conformance=("parse",), program="sh"'))
     assert "tests run: conformance 6; " in said, said
 
 
 def test_a_missing_program_is_named(tmp_path: Path) -> None:
-    said = suite(mine(tmp_path, needs='PROGRAM = "no-such-program"'))
+    said = suite(mine(tmp_path, declared='conformance=("parse",), program="no-such-program"'))
     assert "tests run: none; " in said, said
     assert re.search("left out, for `make test-all`: .*no-such-program", said), said
 
 
 @pytest.mark.parametrize(
-    ("line", "error"),
+    ("declared", "error"),
     [
         (
-            'CONFORMANCE = ("decode", "guess")',
-            "CONFORMANCE must be a tuple of 'parse', 'decode', 'encode', 'client', 'live'",
+            'conformance=("decode", "guess")',
+            "conformance must be a tuple of 'parse', 'decode', 'encode', 'client', 'live'",
         ),
-        ('CONFORMANCE = "decode"', "CONFORMANCE must be a tuple of"),
-        ("NEEDS = ['tshark']", "NEEDS must be text"),
-        ("PROGRAM = ['node']", "PROGRAM must be text"),
+        ('conformance="decode"', "conformance must be a tuple of"),
+        ("needs=['tshark']", "needs must be text"),
+        ("program=['node']", "program must be text"),
     ],
 )
-def test_a_wrong_declaration_is_named(line: str, error: str, tmp_path: Path) -> None:
-    folder = mine(tmp_path / "targets", needs=line)
+def test_a_wrong_declaration_is_named(declared: str, error: str, tmp_path: Path) -> None:
+    folder = mine(tmp_path / "targets", declared=declared)
     done = subprocess.run(
         [sys.executable, "-m", "mipgen", "generate", "--target", "mine", "--target-path", str(folder), "--out",
          str(tmp_path / "out")],
         cwd=ROOT, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")},
     )  # fmt: skip
     assert done.returncode == 1 and not (tmp_path / "out").exists()
-    assert done.stderr.startswith(f"{folder / 'mine/target.py'}: error: {error}"), done.stderr
+    assert done.stderr.startswith(f"{folder / 'mine/target.py'}:9: error: {error}"), done.stderr
     assert len(done.stderr.splitlines()) == 1

@@ -16,9 +16,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import c_build
 import pytest
 from conformance import scenarios
-from strategies import drawn
+from random_values import drawn
 from support import (
     BUILD,
     ROOT,
@@ -36,8 +37,7 @@ from support import (
 )  # fmt: skip
 
 C = ROOT / "tests/c"
-sys.path += [str(C), str(C / "fuzz")]
-import c_build  # noqa: E402
+sys.path.append(str(C / "fuzz"))
 import fuzz  # noqa: E402
 
 HERE = Path(__file__).parent

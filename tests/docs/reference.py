@@ -9,11 +9,17 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+import pytest
 import yaml
-from mipgen import describe, render
 from mipgen import model as m
-from mipgen.typical import Typical
-from support import model
+from mipgen.emit import render
+from mipgen.facts import describe
+from mipgen.facts.sample_values import SampleValues
+from support import heavy, model
+
+#: For tests that take long, as they compile each program or build the site: the real one in `make test-all` only.
+REAL = pytest.param("real", marks=heavy("programs and site of the real reference"))
+small = pytest.mark.parametrize("manual", ["invented", REAL], indirect=True)
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
 LINK = re.compile(r"(?<!\\)\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)\)")
@@ -65,7 +71,17 @@ def without_code(text: str) -> str:
 
 
 def number(f: m.Field) -> str:
-    return f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"(0x{f.descriptor:02X})"
+    """Its set and its descriptor; where the set is not certain, its descriptor."""
+    several = len(f.occurrences) > 1 or not f.set
+    return f"(0x{f.descriptor:02X})" if several else f"(0x{f.set:02X},0x{f.descriptor:02X})"
+
+
+def heading(s: m.Set) -> str:
+    return f"{s.title} (0x{s.number:02X})"
+
+
+def family(s: m.Set, of: m.Model) -> m.Family:
+    return next(x for x in of.families if x.name == s.family)
 
 
 def seen(text: describe.Text, prefix: str = "") -> str:
@@ -129,7 +145,7 @@ def _inside(p: m.Parameter, path: str, depth: int) -> Iterator[Place]:
 
 def path_of(f: m.Field) -> str:
     """The page of a command or a data field; a response is on that of its command."""
-    return f"fields/{f.set_name}/{f.command if f.role == m.RESPONSE else f.name}.md"
+    return f"fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
 
 
 @dataclasses.dataclass
@@ -138,8 +154,8 @@ class Manual:
     files: dict[str, bytes]
 
     @functools.cached_property
-    def typical(self) -> Typical:
-        return Typical(self.model)
+    def samples(self) -> SampleValues:
+        return SampleValues(self.model)
 
     @functools.cached_property
     def pages(self) -> dict[str, str]:
@@ -162,7 +178,7 @@ class Manual:
 
     def field(self, f: m.Field) -> str:
         """What is said of a field: its page without its responses; of a response, its section of that page."""
-        if f.set_name == "protocol":
+        if f.family == "protocol":
             return self.section("packets.md", f.full_name)
         if f.role == m.RESPONSE:
             return re.split(r"^## ", self.section(path_of(f), f.full_name), flags=re.M)[0]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 import pytest
-from mipgen import describe
 from mipgen import model as m
-from reference import Manual, limited, number, prose, seen, tables, words
+from mipgen.facts import describe
+from reference import Manual, heading, limited, number, prose, seen, tables, words
 from support import model
 from test_reference_things import letters
 
@@ -33,8 +33,8 @@ def matrix(manual: Manual, page: str, title: str) -> dict[str, dict[str, str]]:
     return {words(next(iter(row.values()))): by_device(row) for t in tables(section) for row in t}
 
 
-def expected(d: m.Device, f: m.Field) -> str:
-    s = next((s for s in d.supports if s.field == f), None)
+def expected(d: m.Device, f: m.Field, number: int) -> str:
+    s = next((s for s in d.supports if s.field == f and s.set == number), None)
     if s is None:
         return missing(d)
     said = letters(s.functions) or ("" if s.evidence else "yes")
@@ -43,18 +43,18 @@ def expected(d: m.Device, f: m.Field) -> str:
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
 def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
-    """Every command and data field once, with a cell for every device of which any is known."""
-    text = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0]
-    shown = {FIELD.findall(row["Field"])[0]: row for t in tables(text) for row in t}
-    fields = [f for f in manual.model.fields if f.role == role]
-    assert list(shown) == [f.full_name for f in fields]
-    for f in fields:
-        row = shown[f.full_name]
-        assert words(row["Descriptor"]) == f"0x{f.descriptor:02X}" and words(row["Field"]) == f.title
-        assert by_device(row) == {d.id: expected(d, f) for d in compared(manual)}, f.full_name
-    assert re.findall(r"^## (.*)$", text, re.M) == [
-        f"{s.title} (0x{s.number:02X})" for s in manual.model.sets if any(f.role == role for f in s.fields)
-    ]
+    """Every command and data field once in each of its sets, with a cell for every device of which any is known."""
+    of = manual.model
+    _, *sections = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0].split("\n## ")
+    in_sets = [(s, [f for f in of.fields_in(s) if f.role == role]) for s in of.sets]
+    wanted = [(s, fields) for s, fields in in_sets if fields]
+    assert [text.partition("\n")[0] for text in sections] == [heading(s) for s, _ in wanted]
+    for (s, fields), text in zip(wanted, sections, strict=True):
+        rows = [row for t in tables(text) for row in t]
+        assert [FIELD.findall(row["Field"])[0] for row in rows] == [f.full_name for f in fields]
+        for f, row in zip(fields, rows, strict=True):
+            assert words(row["Descriptor"]) == f"0x{f.descriptor:02X}" and words(row["Field"]) == f.title
+            assert by_device(row) == {d.id: expected(d, f, s.number) for d in compared(manual)}, f.name_in(s.number)
 
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
@@ -76,7 +76,7 @@ def test_what_is_not_known_is_not_denied() -> None:
     gnss, attitude = of.device("3dm-cv7-gnss-ins"), of.device("3dm-cv7-ar")
     poll = of.field("3dm.poll_imu_data")
     assert gnss and attitude and poll
-    assert (expected(gnss, poll), expected(attitude, poll)) == ("no", "?")
+    assert (expected(gnss, poll, poll.set), expected(attitude, poll, poll.set)) == ("no", "?")
 
 
 def test_units_of_data(manual: Manual) -> None:
@@ -111,11 +111,11 @@ def test_overview(manual: Manual) -> None:
 def test_rates(manual: Manual) -> None:
     rows = matrix(manual, "compare/rates.md", "Base rates")
     sets = [s for s in manual.model.sets if s.kind == "data"]
-    assert list(rows) == [f"{s.title} (0x{s.number:02X})" for s in sets]
+    assert list(rows) == [heading(s) for s in sets]
     for s, row in zip(sets, rows.values(), strict=True):
         for d in compared(manual):
             rate = next((r.hertz for r in d.base_rates if r.set == s), None)
-            has = any(x.field.set == s.number for x in d.supports)
+            has = any(x.set == s.number for x in d.supports)
             unknown = "?" if has else missing(d)
             assert row[d.id] == (unknown if rate is None else f"{rate:g} Hz" if rate else "sent as it arrives")
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from mipgen import model as m
-from mipgen.resolve import load_model
+from mipgen.resolve.load import load_model
 from reference import Manual, made, manual_of, path_of, prose, table_with, tables, words
 from support import SPECS
 

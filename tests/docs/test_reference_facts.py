@@ -6,13 +6,14 @@ import re
 from collections.abc import Callable, Iterable
 
 import pytest
-from mipgen import describe
 from mipgen import model as m
+from mipgen.facts import describe
 from reference import (
     ANCHOR,
     Manual,
     Place,
     bullets,
+    heading,
     manual_of,
     number,
     path_of,
@@ -46,9 +47,9 @@ def paragraphs(section: str) -> list[str]:
 def test_every_fact_of_a_field(manual: Manual) -> None:
     """A heading, what it is, a paragraph of facts, notes; the functions and the answers are in the table of forms."""
     for f in manual.model.fields:
-        heading, what, *rest = paragraphs(manual.field(f))
+        first, what, *rest = paragraphs(manual.field(f))
         level = "###" if f.role == m.RESPONSE else "#"
-        assert heading == f"{level} {f.title} {number(f)}"
+        assert first == f"{level} {f.title} {number(f)}"
         assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
         facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
         said = " ".join(sentences([x for x in facts if x.topic != "note"]))
@@ -69,11 +70,11 @@ def test_layouts_of_other_devices_are_not_listed() -> None:
 
 
 def test_fields_without_a_manual_mention_none() -> None:
-    """Repeated fields have the notes of another one, which may be in a manual."""
+    """What only source code has says nothing of a manual."""
     of = model("real")
     kinds = {x.id: x.kind for x in of.protocol.manuals}
     fields = [f for f in of.fields if {kinds[s.manual] for s in f.sources} == {"sdk"}]
-    assert {"glonass_ephemeris", "galileo_ephemeris"} <= {f.name for f in fields}
+    assert fields
     texts = [(f.full_name, text) for f in fields for text in (f.description, *f.notes)]
     assert not [x for x in texts if "manual does not say" in x[1]]
 
@@ -82,14 +83,40 @@ def test_sources_of_a_field(manual: Manual) -> None:
     """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
     for f in manual.fields:
         section = manual.field(f)
+        listed = [x for row in in_sets(section) for x in words(row["In the manuals"]).split("; ")] or bullets(section)
         for s, cited in zip(f.sources, describe.sources(f), strict=True):
-            assert (f.role == m.RESPONSE and f.set) or any(b.startswith(cited) for b in bullets(section)), cited
+            assert (f.role == m.RESPONSE and f.set) or any(b.startswith(cited) for b in listed), cited
             if f.min_size == f.max_size and s.length is not None and s.length.isdigit():
                 remark = f"{s.manual}: length" if f.role == m.RESPONSE else f"{cited} (length"
-                said = [b for b in bullets(section) if b.startswith(f"{remark} given as {s.length}")]
+                said = [b for b in (*bullets(section), *listed) if b.startswith(f"{remark} given as {s.length}")]
                 others = [x for x in f.sources if x is not s and x.length == s.length]
                 assert bool(said) == (int(s.length) != f.max_size + 2) or others, f.full_name
                 assert all(f"instead of {f.max_size + 2}" in b for b in said)
+
+
+def in_sets(section: str) -> list[dict[str, str]]:
+    """The sets in which a field occurs, if they are several."""
+    return table_with(section, "Set", "Name", "In the manuals")
+
+
+def test_sets_of_a_field(manual: Manual) -> None:
+    """Each with the name of the field there, the devices that send it there, and what the manuals say of it there."""
+    of = manual.model
+    several = [f for f in of.fields if len(f.occurrences) > 1]
+    assert several
+    for f in (f for f in of.fields if f.role != m.RESPONSE):
+        rows = in_sets(manual.field(f))
+        assert len(rows) == (len(f.occurrences) if f in several else 0)
+        for o, row in zip(f.occurrences, rows, strict=False):
+            s = of.set(o.set)
+            assert s is not None and words(row["Set"]) == heading(s) and f"(../../sets/{s.name}.md)" in row["Set"]
+            assert words(row["Name"]) == f"{s.name}.{f.name}"
+            devices = [d.title for d in of.devices_of(f, number=o.set)]
+            devices += [f"perhaps {d.title}" for d in of.devices_of(f, certain=False, number=o.set)]
+            assert words(row.get("Devices", "")) == ", ".join(devices)
+            said = words(row["In the manuals"])
+            assert all(f"{c.manual}: {c.section}" in said for c in o.sources)
+            assert said.endswith(" ".join(sentences(describe.uncertain(o, of))))
 
 
 # --------------------------------------------------------------------------- parameters
@@ -110,7 +137,7 @@ def check_parameters(manual: Manual, record: describe.Record, section: str) -> N
     below: list[str] = []
     for place, row in zip(listed, rows, strict=True):
         facts = describe.parameter(place.parameter, place.record, manual.model) if place.parameter else []
-        cells = {heading: words(row.get(heading, "")) for heading in [*COLUMNS.values(), "Description"]}
+        cells = {column: words(row.get(column, "")) for column in [*COLUMNS.values(), "Description"]}
         wanted = dict.fromkeys(COLUMNS.values(), "")
         for fact in facts:
             if fact.topic in COLUMNS:

@@ -15,7 +15,7 @@ from reference import manual_of
 from support import ROOT, heavy, model
 from test_reference_comparison import expected
 
-pytestmark = [] if browser.installed() else heavy("chromium")
+pytestmark = heavy("Chromium")
 
 ASSETS = ROOT / "generated/markdown/docs/assets"
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{name}</title>

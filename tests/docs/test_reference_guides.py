@@ -12,10 +12,10 @@ from pathlib import Path
 
 import crates
 import pytest
-from mipgen import codec
-from mipgen.guided import Guide, Sequence
-from mipgen.typical import Typical
-from reference import Manual, cells, path_of, prose, tables, words
+from mipgen.facts.sample_values import SampleValues
+from mipgen.lower import codec
+from mipgen.model.guides import Guide, Sequence
+from reference import Manual, cells, path_of, prose, small, tables, words
 from support import BUILD, SPECS, need
 from test_reference_programs import C_HEAD, PY_HEAD, reply, run, rust_bytes, said_in_rust
 
@@ -191,7 +191,7 @@ def questions(manual: Manual) -> dict[str, str]:
         for f in (manual.model.field(c.command or "") for s in sequence.steps for c in s.command.silenced_by):
             assert f is not None
             call = next(c for c in f.calls if c.function and c.function.responds)
-            packet = Typical(manual.model).packet(f, call)
+            packet = SampleValues(manual.model).packet(f, call)
             found[packet.hex()] = reply(manual, packet).hex()
     return found
 
@@ -208,6 +208,7 @@ def check(manual: Manual, output: str) -> None:
         assert found.get(name) == [*(s.packet.hex() for s in sequence.steps), "done"], name
 
 
+@small
 def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     includes, functions, calls = set(), [], []
     for play in plays(manual):
@@ -231,6 +232,7 @@ def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     check(manual, run(tmp_path / "guides"))
 
 
+@small
 def test_guides_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
     functions, calls, answers = [], [], {}
     for play in plays(manual):
@@ -262,6 +264,7 @@ def test_guides_in_python(manual: Manual, generated: Path, tmp_path: Path) -> No
 
 
 @crates.group
+@small
 def test_guides_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
     for play in plays(manual):

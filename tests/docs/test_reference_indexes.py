@@ -29,8 +29,10 @@ def anchor(t: m.Type | m.Field) -> str:
 
 def test_by_descriptor(manual: Manual) -> None:
     of = manual.model
-    entries = [(f.set, f.descriptor, f.role, f.full_name) for f in manual.fields]
-    entries += [(s.number, x.descriptor, x.role, f"{s.name}.{x.name}") for s in of.sets for x in s.named]
+    entries = [(o.set, f.descriptor, f.role, f.name_in(o.set)) for f in manual.fields for o in f.occurrences]
+    known = {f.name_in(o.set): f for f in manual.fields for o in f.occurrences}
+    named = [(s, x) for y in of.families for s in y.sets for x in y.named]
+    entries += [(s.number, x.descriptor, x.role, f"{s.name}.{x.name}") for s, x in named]
     found = rows(manual, "descriptors")
     places_ = []
     for row in found:
@@ -38,7 +40,8 @@ def test_by_descriptor(manual: Manual) -> None:
         numbers = [int(n, 16) for n in words(row["Descriptor"]).split(",")]
         set_, descriptor = numbers if len(numbers) == 2 else (0, *numbers)
         assert words(row.get("Short", "")) == (f"0x{set_:02X}{descriptor:02X}" if set_ else "")
-        assert f"#{name})" in row["Field"] or name.partition(".")[0] in row["Field"]
+        to = f"#{known[name].full_name})" if name in known else f"/{name.partition('.')[0]}.md)"
+        assert to in row["Field"]
         places_.append((set_, descriptor, role, name))
     assert sorted(places_) == sorted(entries)
     assert [p[:2] for p in places_] == sorted(p[:2] for p in places_)
@@ -160,7 +163,7 @@ def listed(manual: Manual, language: str) -> set[str]:
 
 
 DECLARED_IN_C = re.compile(
-    r"^#define (MIP_\w+) |^(?:enum|struct|union) (mip_\w+) (?:MIP_ENUM_\d+ )?\{|^typedef \w+ (mip_\w+);"
+    r"^#define (MIP_\w+)[ (]|^(?:enum|struct|union) (mip_\w+) (?:MIP_ENUM_\d+ )?\{|^typedef \w+ (mip_\w+);"
     r"|^\s+(MIP_\w+) = |^extern MIP_API const [\w ]*?(mip_\w+)[;\[]|^(?:\w[\w ]*[ *])?(mip_\w+)\(",
     re.M,
 )
@@ -170,7 +173,7 @@ DECLARED_IN_C = re.compile(
 def test_symbols_of_c(spec: str) -> None:
     """Those of the headers, without those of sets."""
     manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
-    modules = [re.sub(r"\W", "_", s.name) for s in manual.model.sets]
+    modules = [re.sub(r"\W", "_", x.name) for x in manual.model.families]
     headers = ["types.h", "protocol.h", "names.h", *(f"{name}.h" for name in modules)]
     headers += [f"{name}_commands.h" for name in modules if (source / f"{name}_commands.h").exists()]
     declared = {

@@ -6,8 +6,8 @@ import random
 import re
 from typing import Any
 
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 from reference import Manual, table_with, words
 
 
@@ -144,7 +144,7 @@ def test_offsets_are_those_of_the_bytes(manual: Manual) -> None:
 def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], filler: Filler) -> set[int]:
     """The field lengths that the section gives; for a command, after a look at its shortest form."""
     section = manual.field(f)
-    if f.set_name == "protocol":
+    if f.family == "protocol":
         return {f.max_size + 2}
     if f.role != m.COMMAND:
         (text,) = re.findall(r"^Field length: (.*?)\.$", words(section), re.M)

@@ -11,9 +11,9 @@ import posixpath
 import re
 
 from mipgen import model as m
-from mipgen import naming, render
-from mipgen.problems import Problems
-from mipgen.resolve import load_model
+from mipgen.emit import naming, render
+from mipgen.read.problems import Problems
+from mipgen.resolve.load import load_model
 from mipgen.targets import markdown
 from reference import (
     ANCHOR,
@@ -106,9 +106,10 @@ def test_code_is_not_taken_for_a_link(manual: Manual) -> None:
 
 def test_fields_and_types_between_backticks_are_links() -> None:
     text = "As `tools.ping` and `tools.shape`; (0x01,0x01), `tools.bias.x`."
-    f = dataclasses.replace(model("invented").sets[0].fields[0], description=text, notes=(text,))
-    first = dataclasses.replace(model("invented").sets[0], fields=(f, *model("invented").sets[0].fields[1:]))
-    manual = made(dataclasses.replace(model("invented"), sets=(first, *model("invented").sets[1:])))
+    first, *others = model("invented").families
+    f = dataclasses.replace(first.fields[0], description=text, notes=(text,))
+    first = dataclasses.replace(first, fields=(f, *first.fields[1:]))
+    manual = made(dataclasses.replace(model("invented"), families=(first, *others)))
     links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../../types/tools.md#tools.shape)"
     assert manual.field(f).count(f"As {links}; (0x01,0x01), `tools.bias.x`.") == 2
 
@@ -174,14 +175,16 @@ NASTY = 'a|b <b>x</b> *c* _d_ [e](f) `g` \\h & &amp; $i$ ~~j~~ #k 1. "l"'
 
 def nasty(model: m.Model) -> m.Model:
     """The model with awkward texts wherever there is prose."""
-    fields = [dataclasses.replace(f, description=NASTY, notes=(NASTY,)) for f in model.sets[0].fields]
-    sets = (dataclasses.replace(model.sets[0], fields=tuple(fields), description=NASTY), *model.sets[1:])
+    first, *others = model.families
+    fields = tuple(dataclasses.replace(f, description=NASTY, notes=(NASTY,)) for f in first.fields)
+    sets = tuple(dataclasses.replace(s, description=NASTY) for s in first.sets)
+    families = (dataclasses.replace(first, fields=fields, sets=sets, description=NASTY), *others)
     errata = tuple(
         dataclasses.replace(e, printed=NASTY, right=NASTY, reason=NASTY, section=NASTY) for e in model.errata
     )
     note = m.Note("n", NASTY, NASTY, ((NASTY, NASTY), (NASTY,)))
     devices = tuple(dataclasses.replace(d, description=NASTY, notes=(note,)) for d in model.devices)
-    return dataclasses.replace(model, sets=sets, errata=errata, devices=devices)
+    return dataclasses.replace(model, families=families, errata=errata, devices=devices)
 
 
 def test_text_is_never_markup() -> None:
@@ -189,10 +192,10 @@ def test_text_is_never_markup() -> None:
     manual = made(awkward)
     test_tables_are_whole(manual)
     test_links_lead_somewhere(manual)
-    f = awkward.sets[0].fields[0]
+    f = awkward.families[0].fields[0]
     assert words(manual.field(f)).count(prose(NASTY, awkward)) == 2
     markdown_ = importlib.import_module("markdown")  # comes with mkdocs
-    for path in (path_of(f), f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
+    for path in (path_of(f), f"sets/{f.family}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
         page = markdown_.markdown(manual.page(path), extensions=["tables", "fenced_code"])
         assert not re.search(r"<b>|<em>[cd]</em>|href=\"f\"", page)
         assert prose(NASTY, awkward) in html.unescape(re.sub(r"</?code>", "", page)), path
@@ -218,7 +221,7 @@ def test_hooks_of_the_site() -> None:
 
 def test_site_needs_what_is_tested() -> None:
     """The versions that the folder asks for are those that the project pins for its tests."""
-    pinned = (ROOT / "templates/markdown/runtime/requirements.txt").read_text("utf-8").split()
+    pinned = (ROOT / "runtime/markdown/requirements.txt").read_text("utf-8").split()
     locked = (ROOT / "requirements-dev.txt").read_text("utf-8")
     assert [p.partition("==")[0] for p in pinned] == ["mkdocs", "mkdocs-material"]
     assert all(re.search(rf"^{re.escape(p)} ", locked, re.M) for p in pinned)

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import crates
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from reference import Manual, path_of, table_with, words
+from mipgen.lower import codec
+from reference import Manual, path_of, small, table_with, words
 from support import SPECS, mypy, need
 
 ACKNOWLEDGE = 0xF1
@@ -34,8 +34,8 @@ def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
     packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
-    shown = manual.typical.shown(f)
-    return [packets[i] for i, c in enumerate(manual.typical.sent(f)) if any(c is x for x in shown)]
+    shown = manual.samples.shown(f)
+    return [packets[i] for i, c in enumerate(manual.samples.sent(f)) if any(c is x for x in shown)]
 
 
 def reply(manual: Manual, packet: bytes) -> bytes:
@@ -44,18 +44,18 @@ def reply(manual: Manual, packet: bytes) -> bytes:
     (f,) = (x for x in manual.model.candidates(packet[2], descriptor) if x.role == m.COMMAND)
     values, _ = codec.decode(f, data)
     call = next(c for c in f.calls if (c.function and c.function.value) == values.get("function"))
-    typical = manual.typical
-    answers = [(r.layouts[0].descriptor, typical.data(r.layouts[0])) for r in typical.replies(f, call)]
+    samples = manual.samples
+    answers = [(r.layouts[0].descriptor, samples.data(r.layouts[0])) for r in samples.replies(f, call)]
     return codec.build(manual.model, packet[2], [(ACKNOWLEDGE, bytes([descriptor, 0])), *answers])
 
 
 def sample(manual: Manual, f: m.Field) -> bytes:
-    return manual.typical.packet(f)
+    return manual.samples.packet(f)
 
 
 def broken(manual: Manual, f: m.Field) -> list[bytes]:
     """Packets whose program must report an error: the field lacks a byte, or the packet cuts off its last one."""
-    data = manual.typical.data(f)
+    data = manual.samples.data(f)
     number = sample(manual, f)[2]
     lengths = [f.min_size] if f.min_size and manual.model.layouts(f) == (f,) else []
     cut = bytes([len(data) + 2, f.descriptor]) + data[:-1] if data else bytes([3, f.descriptor])
@@ -147,6 +147,7 @@ if (!mip_walk_next(&walk, &field)) {
 """
 
 
+@small
 def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     includes, functions, calls = {'#include "mip/device.h"'}, [], []
     for f in asked(manual):
@@ -225,6 +226,7 @@ class Source:
 """
 
 
+@small
 def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
     functions, calls, answers = [], [], {}
     for f in asked(manual):
@@ -252,7 +254,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
     for setting in (x for x in asked(manual) if x.role == m.COMMAND):  # it may be asked for once
         for c in setting.calls:
-            packet = manual.typical.packet(setting, c)
+            packet = manual.samples.packet(setting, c)
             answers.setdefault(packet.hex(), reply(manual, packet).hex())
     (tmp_path / "answers.json").write_text(json.dumps(answers))
     done = subprocess.run(
@@ -317,6 +319,7 @@ def said_in_rust(spec: str, name: str, functions: list[str], calls: list[str]) -
 
 
 @crates.group
+@small
 def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
     for f in asked(manual):

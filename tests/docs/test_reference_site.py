@@ -10,28 +10,26 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Callable, Iterator
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import TypeVar
 from urllib.parse import unquote
 
 import browser
 import pytest
-from mipgen import output
-from queries import PAGES as WANTED_PAGES
-from queries import QUERIES
-from reference import manual_of, navigation
-from support import BUILD, ROOT, SPECS, heavy, locked, model, need
+from mipgen.base.cache import key as cache_key
+from mipgen.emit import output
+from reference import REAL, manual_of, navigation
+from searches import FIELDS
+from searches import PAGES as WANTED_PAGES
+from support import BUILD, heavy, locked, model, need, tree
+from workbench import workbench
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
 Test = TypeVar("Test", bound=Callable[..., None])
-each_spec = pytest.mark.parametrize("spec", sorted(SPECS))
-
-
-#: Where the sites are built; it goes when the tests end.
-FOLDER = tempfile.TemporaryDirectory(prefix="mip-site-")
+each_spec = pytest.mark.parametrize("spec", ["invented", REAL])
 
 
 def with_tool(tool: str) -> Callable[[Test], Test]:
@@ -39,7 +37,7 @@ def with_tool(tool: str) -> Callable[[Test], Test]:
     return (lambda test: test) if shutil.which(tool) else heavy(tool)
 
 
-with_node, in_browser = with_tool("node"), with_tool("chromium")
+with_node, in_browser = with_tool("node"), heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (
@@ -48,7 +46,7 @@ PAGES = (
     "devices/3dm-cv7-gnss-ins.html", "devices/3dm-gx5-15.html",
     "fields/3dm/pps_source_control.html", "fields/3dm/event_trigger_config.html", "fields/3dm/message_format.html",
     "fields/base/continuous_built_in_test.html", "fields/filter_data/status.html",
-    "fields/gnss_1/satellite_status.html",
+    "fields/gnss_data/satellite_status.html",
     "tools/inspector.html", "tools/builder.html#3dm.event_trigger_config", "tools/bandwidth.html#3dm-cv7-gnss-ins",
     "tools/finder.html#lever%20arm", "guides/stream_imu_data.html", "guides/migrate_from_gx5_15_to_cv7.html",
     "compare/commands.html", "compare/rates.html", "indexes/descriptors.html", "indexes/c.html",
@@ -56,15 +54,28 @@ PAGES = (
 
 
 @cache
-def built(spec: str) -> Path:
-    """The site of a copy of the folder, which has nothing beside it."""
-    source, site = Path(FOLDER.name) / spec / "markdown", Path(FOLDER.name) / spec / "site"
-    output.write(manual_of(spec).files, source)
-    done = subprocess.run(
-        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
-        cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stdout + done.stderr
+def built(spec: str, tools: bool = True) -> Path:
+    """The site of a copy of the folder, which has nothing beside it, with or without the workbench.
+
+    It is kept until its pages or the workbench change.
+    """
+    files, bench = manual_of(spec).files, workbench(spec)
+    given = [*sorted(files.items()), *(sorted(tree(bench).items()) if tools else ())]
+    key = cache_key(version("mkdocs-material"), *(part for name, data in given for part in (name, data)))
+    folder = BUILD / f"site-{spec}-{'with' if tools else 'without'}-workbench"
+    source, site, mark = folder / "markdown", folder / "site", folder / "key"
+    with locked(folder):
+        if not mark.is_file() or mark.read_text() != key:
+            mark.unlink(missing_ok=True)
+            shutil.rmtree(site, ignore_errors=True)
+            output.write(files, source)
+            environment = {"NO_MKDOCS_2_WARNING": "1", "MIP_WORKBENCH": str(bench) if tools else ""}
+            done = subprocess.run(
+                [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
+                cwd=source, capture_output=True, text=True, env={**os.environ, **environment}, check=False,
+            )  # fmt: skip
+            assert done.returncode == 0, done.stdout + done.stderr
+            mark.write_text(key)
     return site
 
 
@@ -72,7 +83,7 @@ def page_of(field: str) -> str:
     """The address of a field, as the reference of the generator has it."""
     of = model("real")
     f = next(f for f in [*of.fields, of.protocol.acknowledge] if f.full_name == field)
-    page = "packets" if not f.set else f"fields/{f.set_name}/{f.command or f.name}"
+    page = "packets" if not f.set else f"fields/{f.family}/{f.command or f.name}"
     return f"{page}.html#{field}"
 
 
@@ -137,31 +148,23 @@ def test_tools_have_pages(spec: str, name: str) -> None:
     site = built(spec)
     page = (site / f"tools/{name}.html").read_text("utf-8")
     assert f'data-tool="{name}"' in page and 'src="../assets/site.js"' in page
-    assert all((site / "assets" / file).is_file() for file in ("site.js", "mip.js", "model.js", "tools.css", "text.js"))
+    assert all((site / "assets" / file).is_file() for file in ("site.js", "workbench.js", "tools.css", "text.js"))
+    for file in ("workbench.js", "tools.css"):
+        assert (site / "assets" / file).read_bytes() == (workbench(spec) / file).read_bytes()
     assert f'href="tools/{name}.html"' in (site / "index.html").read_text("utf-8")
-
-
-def test_scripts_are_those_of_javascript() -> None:
-    for spec, (_, out) in SPECS.items():
-        files = manual_of(spec).files
-        for name, path in (("mip.js", "mip.js"), ("model.js", "model.js"), ("tools.css", "tools/tools.css")):
-            assert files[f"docs/assets/{name}"] == (out / "javascript" / path).read_bytes(), (spec, name)
 
 
 @with_node
 def test_what_people_type_in_the_index() -> None:
-    """Of the scripts of the site, without a browser."""
-    assets = ROOT / "generated/markdown/docs/assets"
-    script = (
-        "const fs = require('node:fs'); for (const name of ['model', 'mip'])"
-        " (0, eval)(fs.readFileSync(`${process.argv[1]}/${name}.js`, 'utf8'));"
-        " const index = mip.indexOf(new mip.Protocol(mipModel)); const queries = JSON.parse(process.argv[2]);"
-        " console.log(JSON.stringify(queries.map((text) => mip.find(index, text, 1)[0]?.field.name)));"
+    """Of the script of the site, without a browser."""
+    program = (
+        "require(process.argv[1]); const index = mip.indexOf(new mip.Protocol(mip.model));"
+        " const searches = JSON.parse(process.argv[2]);"
+        " console.log(JSON.stringify(searches.map((text) => mip.find(index, text, 1)[0]?.field.name)));"
     )
-    done = subprocess.run(
-        [need("node"), "-e", script, str(assets), json.dumps(list(QUERIES))], capture_output=True, text=True, check=True
-    )
-    assert dict(zip(QUERIES, json.loads(done.stdout), strict=True)) == QUERIES
+    command = [need("node"), "-e", program, workbench("real") / "workbench.js", json.dumps(list(FIELDS))]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert dict(zip(FIELDS, json.loads(done.stdout), strict=True)) == FIELDS
 
 
 def test_keywords_find_their_fields_first() -> None:
@@ -173,7 +176,7 @@ def test_keywords_find_their_fields_first() -> None:
     assert len(wanted) > 40
     names = {f.full_name for f in model("real").fields} | {f.title.lower() for f in model("real").fields}
     assert not names & set(wanted)
-    assert all(QUERIES[word] in fields for word, fields in wanted.items() if word in QUERIES)
+    assert all(FIELDS[word] in fields for word, fields in wanted.items() if word in FIELDS)
 
 
 # --------------------------------------------------------------------------- in a browser
@@ -230,10 +233,10 @@ def test_what_people_type(page: browser.Page) -> None:
     """In the header of a page, from disk: the first result is the page of the field."""
     go(page, "fields/base/ping.html")
     first = {}
-    for query in QUERIES:
+    for query in FIELDS:
         typed(page, query)
         first[query] = next(iter(results(page)), "nothing")
-    assert first == {query: page_of(field) for query, field in QUERIES.items()}
+    assert first == {query: page_of(field) for query, field in FIELDS.items()}
 
 
 @in_browser
@@ -407,6 +410,19 @@ def test_tools_of_another_specification(page: browser.Page) -> None:
         assert page.run("document.querySelector('.mip-tool').children.length") > 0
 
 
+@in_browser
+def test_a_site_without_the_workbench(page: browser.Page) -> None:
+    """The folder alone: its pages say how to get the tools, and the search finds text."""
+    site = built("real", tools=False)
+    for name in ("inspector", "builder", "bandwidth", "finder"):
+        page.open(site / f"tools/{name}.html")
+        assert f"build/workbench/{name}.html" in page.run("document.querySelector('.mip-tool').textContent")
+    page.open(site / "index.html")
+    typed(page, "antenna offset")
+    found = page.run("[...document.querySelectorAll('.mip-search a')].map((link) => link.href)")
+    assert found and found[0].startswith(site.as_uri()) and "antenna_offset" in "".join(found)
+
+
 #: Elements that are wider than the window, but for what scrolls by itself; and tables that neither fit nor scroll.
 WIDE = """
 (() => {
@@ -448,7 +464,7 @@ SCROLLING = (
 def test_wide_tables_break_names(page: browser.Page) -> None:
     """Only where they would have to scroll, and between the words of a name."""
     page.size(1400)
-    for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_1/dop.html"):
+    for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_data/dop.html"):
         if address.startswith(("tools/", "compare/", "guides/")):
             continue
         go(page, address)

@@ -5,12 +5,16 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from mipgen import codec, describe
 from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.lower import codec, extent
 from reference import (
     ANCHOR,
     Manual,
     bullets,
+    cells,
+    family,
+    heading,
     limited,
     manual_of,
     number,
@@ -25,8 +29,8 @@ from reference import (
 from support import model
 
 
-def asked(s: m.Set) -> list[m.Field]:
-    return [f for f in s.fields if f.role != m.RESPONSE]
+def asked(s: m.Set, of: m.Model) -> list[m.Field]:
+    return [f for f in of.fields_in(s) if f.role != m.RESPONSE]
 
 
 def letters(functions: tuple[m.Function, ...]) -> str:
@@ -41,7 +45,7 @@ def test_contents(manual: Manual) -> None:
     for path in ("README.md", "docs/index.md"):
         rows = rows_of(manual.pages[path])
         for s in of.sets:
-            assert [f"0x{s.number:02X}", s.title, str(len(asked(s))), prose(s.description, of)] in rows, s.name
+            assert [f"0x{s.number:02X}", s.title, str(len(asked(s, of))), prose(s.description, of)] in rows, s.name
         for d in of.devices:
             known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
             row = [d.title, ", ".join(d.also), str(d.model_number or ""), known, prose(d.description, of)]
@@ -55,22 +59,24 @@ def test_contents(manual: Manual) -> None:
 
 def test_every_set_has_its_page(manual: Manual) -> None:
     for s in manual.model.sets:
-        page = manual.page(f"sets/{s.name}.md")
-        assert page.startswith(f"# {s.title} (0x{s.number:02X})\n")
+        page, fields = manual.page(f"sets/{s.name}.md"), asked(s, manual.model)
+        assert page.startswith(f"# {heading(s)}\n")
         assert prose(s.description, manual.model) in words(page)
         contents = table_with(page.partition("\n## Contents\n")[2], "Descriptor")
-        assert len(contents) == len(asked(s))
-        for f, row in zip(asked(s), contents, strict=True):
+        assert len(contents) == len(fields)
+        for f, row in zip(fields, contents, strict=True):
             marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
             cells = {key: words(value) for key, value in row.items()}
             assert cells["Descriptor"] == f"0x{f.descriptor:02X}" and f"../{path_of(f)}#{f.full_name})" in row["Field"]
             assert cells["Field"] == f.title + (f" ({', '.join(marks)})" if marks else "")
             assert cells.get("Functions", "") == letters(f.functions)
-            assert re.findall(r"#([\w.]+)", row.get("Responses", "")) == [f"{s.name}.{name}" for name in f.responses]
+            assert re.findall(r"#([\w.]+)", row.get("Responses", "")) == [f"{f.family}.{name}" for name in f.responses]
             short = sizes(f)
             assert cells["Field length"] == (f"{short[0]} to {short[1]}" if short[0] != short[1] else f"{short[0]}")
             assert cells["Description"] and prose(f.description, manual.model).startswith(cells["Description"])
-            assert cells.get("Supported by", "") == ", ".join(d.title for d in manual.model.devices_of(f))
+            assert cells.get("Supported by", "") == ", ".join(
+                d.title for d in manual.model.devices_of(f, number=s.number)
+            )
 
 
 def test_responses_are_with_their_command(manual: Manual) -> None:
@@ -122,7 +128,7 @@ def test_every_page_has_an_example(manual: Manual) -> None:
 def test_row_of_bytes(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
         (row,) = table_with(manual.field(f), "Sync", "Checksum")
-        assert words(row["Set"]) == (f"{f.set:02X}" if f.set != 0xFF else "any data set")
+        assert words(row["Set"]) == ("any data set" if f.everywhere else " or ".join(f"{n:02X}" for n in f.sets))
         assert words(row["Descriptor"]) == f"{f.descriptor:02X}"
         assert words(row["Field length"]) == words(row["Payload length"])
         if f.min_size == f.max_size:
@@ -134,14 +140,14 @@ def test_row_of_bytes(manual: Manual) -> None:
 def test_where_the_specification_says_it(manual: Manual) -> None:
     for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
         assert f.position is not None
-        said = f"In the specification: {'/'.join(f.position.file.split('/')[-2:])}, line {f.position.line}.\n"
+        said = f"In the specification: {'/'.join(f.position.file.split('/')[-2:])}, name: {f.name}.\n"
         assert words(manual.page(path_of(f))).endswith(said)
 
 
 def test_descriptors_without_a_layout(manual: Manual) -> None:
     for s in manual.model.sets:
         rows = rows_of(manual.page(f"sets/{s.name}.md").partition("\n## Descriptors without a layout\n")[2])
-        for x in s.named:
+        for x in family(s, manual.model).named:
             role = [x.role] if s.kind == "command" else []
             cited = "; ".join(f"{c.manual}: {c.section}" for c in x.sources)
             assert [f"0x{x.descriptor:02X}", x.title, f"{s.name}.{x.name}", *role, cited] in rows, x.name
@@ -149,11 +155,15 @@ def test_descriptors_without_a_layout(manual: Manual) -> None:
 
 def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
     """Of fields, parameters, values and bits it is among their facts."""
-    for thing in (*manual.model.sets, *manual.model.all_types):
-        text = manual.page(f"sets/{thing.name}.md") if isinstance(thing, m.Set) else manual.type(thing)
-        said = [seen(f.sentence) for f in describe.uncertain(thing, manual.model)]
+    of = manual.model
+    pages: list[tuple[str, list[m.Family | m.Set | m.Type]]] = [(manual.type(t), [t]) for t in of.all_types]
+    for x in of.families:
+        several = len(x.sets) > 1
+        pages += [(manual.page(f"sets/{s.name}.md"), [x, s] if several else [x]) for s in x.sets]
+    for text, things in pages:
+        said = [seen(f.sentence) for thing in things for f in describe.uncertain(thing, of)]
         found = [b for b in bullets(text.partition("\n## Contents")[0]) if b.startswith("Uncertain: ")]
-        assert found == said, thing.name
+        assert found == said, things[-1].name
 
 
 # --------------------------------------------------------------------------- forms of commands
@@ -176,7 +186,7 @@ def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
             assert cells.get("Optional parameters", "") == ", ".join(p.name for p in c.optional)
             check_answer(manual, f, c, row["Answer"])
         for c, row in zip(
-            manual.typical.sent(f),
+            manual.samples.sent(f),
             table_with(manual.field(f), "Packet", "Function") or table_with(manual.field(f), "Packet"),
             strict=True,
         ):
@@ -218,8 +228,8 @@ def least(op: m.Operation) -> int:
         case m.TextOp() | m.ArrayOp() if op.count is None:
             return 0
         case m.SwitchOp():
-            return min(codec.size_of(c.operation) if c.operation else 0 for c in op.cases)
-    return codec.size_of(op)
+            return min(extent.size(c.operation)[0] if c.operation else 0 for c in op.cases)
+    return extent.size(op)[0]
 
 
 def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:
@@ -228,7 +238,7 @@ def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:
     responses = [f"{r.title} {number(r)}" for r in manual.model.responses(f)] if asks else []
     wanted = ", ".join([acknowledge, *([" or ".join(responses)] if responses else [])])
     assert words(answer) == ("none" if c.function and not c.function.reply else wanted), f.full_name
-    assert re.findall(r"#([\w.]+)", answer) == ([f"{f.set_name}.{r}" for r in f.responses] if responses else [])
+    assert re.findall(r"#([\w.]+)", answer) == ([f"{f.family}.{r}" for r in f.responses] if responses else [])
 
 
 def test_packets(manual: Manual) -> None:
@@ -333,10 +343,12 @@ def test_what_a_device_may_support(manual: Manual) -> None:
         rows = [row for t in tables(page) for row in t]
         assert len(rows) == len(wanted)
         for s in wanted:
-            row = next(row for row in rows if f"#{s.field.full_name})" in row["Field"])
-            assert words(row["Set"]) == f"{manual.model.set(s.field.set).title} (0x{s.field.set:02X})"  # type: ignore[union-attr]
-            before = words(page[: page.index(f"#{s.field.full_name})")])
-            assert prose(s.evidence or "", manual.model) in before
+            of = manual.model.set(s.set)
+            assert of is not None
+            (line,) = [x for x in page.splitlines() if f"(../sets/{of.name}.md)" in x and f"#{s.field.full_name})" in x]
+            assert words(cells(line)[0]) == heading(of)
+            before = page[: page.index(line)].strip().split("\n\n")
+            assert prose(s.evidence or "", manual.model) == words(next(x for x in before[::-1] if x[0] != "|"))
             assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 
@@ -363,9 +375,9 @@ def test_base_rates(manual: Manual) -> None:
         page = manual.page(f"devices/{d.id}.md")
         for r in d.base_rates:
             shown = f"{r.hertz:g} Hz" if r.hertz else "sent as it arrives"
-            of_set = f"{r.set.title} (0x{r.set.number:02X})"
+            of_set = heading(r.set)
             assert [of_set, shown] in rows_of(page)
-            listed = any(s.field.set == r.set.number for s in d.certain)  # a poorly known device may have none
+            listed = any(s.set == r.set.number for s in d.certain)  # a poorly known device may have none
             assert (f"See {of_set}. Base rate: {shown}.\n" in words(page)) == listed
             assert [d.title, shown] in rows_of(manual.page(f"sets/{r.set.name}.md"))
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from mipgen import describe
 from mipgen import model as m
+from mipgen.facts import describe
 from support import model
 
 INVENTED, REAL = model("invented"), model("real")
@@ -35,7 +35,7 @@ def test_echo_control() -> None:
     """All aiding measurements are silent by the same setting, and nothing else is."""
     silent = {f.full_name for f in REAL.fields if f.silenced_by}
     settings = {"aiding.frame_config", "aiding.echo_control"}
-    commands = {f.full_name for f in REAL.fields if f.set_name == "aiding" and f.role == m.COMMAND}
+    commands = {f.full_name for f in REAL.fields if f.family == "aiding" and f.role == m.COMMAND}
     assert silent == commands - settings and len(silent) == 9
     wanted = ["Not acknowledged if <mode> of <aiding.echo_control> is <suppress_ack>."]
     assert all(said(REAL, name, "silent") == wanted for name in silent)
@@ -50,7 +50,7 @@ def test_devices_that_send_a_response() -> None:
     """A device that takes no function that is answered by a response does not send it."""
     names = {"write", "apply"}
     settings, response = field(INVENTED, "tools.settings"), field(INVENTED, "tools.settings_response")
-    writes = m.Support(settings, tuple(f for f in settings.functions if f.name in names))
+    writes = m.Support(settings, settings.set, tuple(f for f in settings.functions if f.name in names))
     devices = tuple(
         dataclasses.replace(d, supports=tuple(writes if s.field is settings else s for s in d.supports))
         if d.id == "model-b"
@@ -94,3 +94,23 @@ def test_layouts_of_one_device_in_the_model() -> None:
     assert said(INVENTED, "tools.status_full", "devices") == ["Supported by <Model C>."]
     (behavior,) = (b for b in INVENTED.simulation.behaviors if b.command == status)
     assert behavior.answers == (("status_old", ("model-a",)), ("status_full", ("model-c",)))
+
+
+def test_the_layouts_that_a_device_sends() -> None:
+    """Its own, else those of all devices; if there is none of these either, any."""
+    status = field(INVENTED, "tools.status")
+
+    def sent(of: m.Model, device: str) -> list[str]:
+        return [f.name for f in of.answers(status, device)]
+
+    assert sent(INVENTED, "model-a") == ["status_short", "status_old"]
+    assert sent(INVENTED, "model-c") == ["status_short", "status_full"]
+    assert sent(INVENTED, "model-b") == ["status_short", "status_long"]
+
+    def bound(f: m.Field) -> m.Field:
+        return dataclasses.replace(f, devices=("model-a",)) if f.name == "status_long" else f
+
+    families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in INVENTED.families)
+    assert sent(dataclasses.replace(INVENTED, families=families), "model-b") == [
+        "status_short", "status_long", "status_old", "status_full"
+    ]  # fmt: skip

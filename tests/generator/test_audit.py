@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.audit import audit
+from mipgen.audit.manuals import audit
 from support import ROOT, model
 
 GOOD = """\

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from mipgen.audit_devices import audit
-from mipgen.problems import SpecError
+from mipgen.audit.devices import audit
+from mipgen.read.problems import SpecError
 from support import model
 
 INVENTED = model("invented")

@@ -6,13 +6,14 @@ import shutil
 from pathlib import Path
 
 import pytest
-from corpus import BASE
-from mipgen import audit_sdk, cli
-from mipgen.audit_sdk import audit
-from mipgen.problems import SpecError
-from mipgen.resolve import load_model
-from specimen import field
-from terse import filled
+from bad_spec_files import BASE
+from mipgen import cli
+from mipgen.audit import sdk
+from mipgen.audit.sdk import audit
+from mipgen.read.problems import SpecError
+from mipgen.resolve.load import load_model
+from small_specs import field
+from spec_defaults import filled
 
 COMMANDS = """\
 set: 0x05
@@ -58,10 +59,12 @@ named:
 """
 
 DATA = """\
-set: 0x91
 name: signal
 title: Signal
 description: Data.
+sets:
+  signal: {set: 0x91, title: Signal, description: Data., every_field: []}
+  signal_2: {set: 0x92, title: Second signal, description: Data., every_field: []}
 fields:
   - data: 0x07
     name: strength
@@ -77,14 +80,6 @@ fields:
       - {name: flags, type: flags}
 named:
   - {data: 0x60, name: shade, title: Shade, sources: [{manual: guide, section: Shade}]}
-"""
-
-COPY = """\
-set: 0x92
-name: signal_2
-title: Second signal
-description: Data.
-repeats: {of: signal, sources: [{manual: guide, section: Second signal}]}
 """
 
 ERRATA = """\
@@ -156,7 +151,7 @@ TUNE, STRENGTH = "(0x05,0x01) radio.tune", "(0x91,0x07) signal.strength"
 def spec(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("specification") / "spec"
     shutil.copytree(BASE, folder)
-    for name, text in (("sets/a", COMMANDS), ("sets/b", DATA), ("sets/c", COPY), ("errata/d", ERRATA)):
+    for name, text in (("sets/a", COMMANDS), ("sets/b", DATA), ("errata/d", ERRATA)):
         (folder / f"{name}.yaml").write_text(filled(text), "utf-8")
     manual = folder / "manuals/guide.yaml"
     manual.write_text(manual.read_text("utf-8").partition("sections:")[0], "utf-8")
@@ -294,5 +289,5 @@ def test_command_line(spec: Path, tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_a_magnitude_bounds_the_elements() -> None:
     vectors = "[{name: a, type: vector3f, magnitude: [~, 5]}, {name: b, type: vector3f, magnitude: [0.9, 1.1]}]"
     a, b = field(vectors).parameters
-    assert [audit_sdk._range(a, given) for given in ("", ">= -5 <= 5", ">= -6 <= 6")] == ["", ">= -5 <= 5", ""]
-    assert audit_sdk._range(b, "") == ""
+    assert [sdk._range(a, given) for given in ("", ">= -5 <= 5", ">= -6 <= 6")] == ["", ">= -5 <= 5", ""]
+    assert sdk._range(b, "") == ""

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from mipgen.codec import CodecError
-from mipgen.resolve import load_model
+from mipgen.lower import codec
+from mipgen.lower.codec import CodecError
+from support import model
 
-MODEL = load_model(Path(__file__).parents[1] / "invented/spec")
+MODEL = model("invented")
 
 
 def field(name: str) -> m.Field:

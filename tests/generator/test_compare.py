@@ -6,8 +6,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from mipgen.compare import Report, compare
-from mipgen.resolve import load_model
+from mipgen.compare.changes import Report, compare
+from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, model
 
 BASE = ROOT / "tests/bad_specs/base"
@@ -31,7 +31,7 @@ PORT = "{name: port, type: u8, for: WRS"
     [
         (TOOLS, "title: Ping", "title: Ping it", "compatible", "tools.ping: another description"),
         (TOOLS, "name: identify", "name: who", "source", "tools.who: was called tools.identify"),
-        (TOOLS, "{name: port, type: u8", "{name: line, type: u8", "source", "tools.settings.line: was called port"),
+        (TOOLS, "{name: model, type", "{name: kind, type", "source", "tools.identify.kind: was called model"),
         (TOOLS, PORT, PORT.replace("u8", "s8"), "wire", "from port on"),
         (TOOLS, PORT, PORT.replace("WRS", "WR"), "wire", "tools.settings: functions require other parameters"),
         (TOOLS, "{name: mode, type: mode", "{name: mode, type: u8", "source", "type u8, was mode"),
@@ -76,6 +76,7 @@ PORT = "{name: port, type: u8, for: WRS"
         ("guides/guide.yaml", "question: ", "question: Or ", "same", ": another guide"),
         ("guides/guide.yaml", "guide: ", "guide: new_", "same", ": guide added"),
         ("guides/guide.yaml", "guide: ", "guide: new_", "same", ": guide removed"),
+        ("protocol.yaml", "name: MIP", "name: MIP\npackage: probe", "source", "the package: renamed from mip to probe"),
         ("protocol.yaml", "save: {value", "store: {value", "source", "function_selector.store: was called save"),
     ],
 )

@@ -5,8 +5,8 @@ from __future__ import annotations
 import dataclasses
 
 import pytest
-from mipgen import describe
 from mipgen import model as m
+from mipgen.facts import describe
 from support import model
 
 INVENTED, REAL = model("invented"), model("real")
@@ -85,14 +85,15 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "more.accel",
             {
-                "definition": "Has the layout of <measurements.accel>.",
+                "sets": "Occurs in <measurements (0x80)>, <more (0x81)> and <copy (0x92)>.",
                 "max_rate": "Maximum rate: 100 Hz.",
-                "devices": A,
+                "devices": "Supported by <Model A>, <Model B> and <Model C>.",
             },
         ),
         (
             "measurements.gust",
             {
+                "sets": "Occurs in <measurements (0x80)> and <copy (0x92)>.",
                 "devices": "Not listed in any device profile.",
                 "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
                 "<shape>.",
@@ -282,6 +283,23 @@ def test_prose_refers_to_fields_and_types() -> None:
 def test_a_quotation_refers_to_descriptors() -> None:
     found = describe.quotation("See `tools.ping`, (0x01,0x02), (0x01, 0x03) and (0x01,0x7F).", INVENTED)
     assert plain(found) == "See `tools.ping`, <(0x01,0x02)>, <(0x01, 0x03)> and (0x01,0x7F)."
+
+
+def test_what_is_usual_where_a_variant_differs() -> None:
+    """The other side of a migration: without what is known of one device."""
+
+    def said(field: str, parameter: str, key: str) -> str:
+        f = INVENTED.field(field)
+        assert f is not None
+        p = next(p for p in f.parameters if p.name == parameter)
+        v = next(v for v in p.variants if v.key == key)
+        return plain(describe.usual(v, p, f, INVENTED))
+
+    assert said("tools.settings", "mode", "model-c") == "values of <mode>; deprecated"
+    assert said("tools.status", "selector", "model-c") == "any value"
+    assert said("tools.settings", "limit", "fast") == "unit not known; range not known; default not known"
+    assert said("measurements.radio", "noise", "model-c") == "valid if <connected> is true; not deprecated"
+    assert said("tools.status_long", "flags", "model-c") == "any number"
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from mipgen.problems import SpecError
-from mipgen.resolve import load_model
+from mipgen.lower import codec
+from mipgen.read.problems import SpecError
+from mipgen.resolve.load import load_model
 from support import SPECS, model
 
 INVENTED, REAL = model("invented"), model("real")
@@ -21,7 +21,7 @@ def device(id: str, of: m.Model = INVENTED) -> m.Device:
 
 
 def names(d: m.Device) -> set[str]:
-    return {s.field.full_name for s in d.supports}
+    return {s.name for s in d.supports}
 
 
 # --------------------------------------------------------------------------- inheritance
@@ -31,23 +31,23 @@ def test_what_is_added_and_lacked() -> None:
     a, c = device("model-a"), device("model-c")
     assert names(a) - names(c) == {"tools.choice", "more.strings", "3d.default"}
     assert names(c) - names(a) == {"measurements.radio", "tools.hello", "copy.accel"}
-    assert {s.field.full_name: s.evidence for s in c.supports if s.evidence} == dict.fromkeys(
+    assert {s.name: s.evidence for s in c.supports if s.evidence} == dict.fromkeys(
         ("tools.hello", "copy.accel"), "The sheet names it."
     )
-    assert names(c) - {s.field.full_name for s in c.certain} == {"tools.hello", "copy.accel"}
-    order = [(s.field.set, s.field.descriptor) for s in c.supports]
+    assert names(c) - {s.name for s in c.certain} == {"tools.hello", "copy.accel"}
+    order = [(s.set, s.field.descriptor) for s in c.supports]
     assert order == sorted(order)
 
 
 def test_what_changes() -> None:
     a, c = device("model-a"), device("model-c")
-    functions = {s.field.full_name: m.letters(s.functions) for s in c.supports}
+    functions = {s.name: m.letters(s.functions) for s in c.supports}
     assert functions["tools.settings"] == "WRS" and functions["tools.bias"] == "WRSLD"
     assert [(r.set.name, r.hertz) for r in c.base_rates] == [("measurements", 1000), ("more", 250)]  # copy: not known
     assert [(p.name, p.id, p.baud_rates) for p in c.ports] == [("Main", 0x12, (9600,)), ("CAN", None, ())]
     assert [(x.name, x.value) for x in c.limits] == [("segments", 6)] and len(a.limits) == 2
     assert (len(a.notes), c.notes, c.ack_codes) == (1, (), a.ack_codes)
-    assert {s.field.full_name: s.deprecated for s in c.supports if s.deprecated} == {
+    assert {s.name: s.deprecated for s in c.supports if s.deprecated} == {
         "tools.capture_bias": "use `tools.bias` instead"
     }
 
@@ -71,7 +71,7 @@ def test_what_varies() -> None:
 def test_families() -> None:
     first, second = device("old-1"), device("old-2")
     assert first.generation == second.generation == 1 and first.description == second.description
-    assert [(s.field.full_name, s.evidence) for s in first.supports] == [
+    assert [(s.name, s.evidence) for s in first.supports] == [
         ("tools.ping", None), ("measurements.numbers", "All old devices have it.")
     ]  # fmt: skip
     assert [bool(s.evidence) for s in second.supports] == [True, True]

@@ -2,24 +2,57 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import pytest
-from mipgen import cli, output, render
-from support import ROOT, SPECS, model
+from mipgen import cli
+from mipgen.emit import output, render
+from support import SPECS, model
 
 SPEC = SPECS["invented"][0]
 GOLDEN = SPECS["invented"][1]
-GUIDE = (ROOT / "docs/new-language.md").read_text("utf-8")
+TARGET = """\
+from mipgen.emit.target import File, Target
+
+
+def files(model):
+    yield File("fields.csv", "fields.csv.j2")
+
+
+def filters(model):
+    return {"hex": lambda n: f"0x{n:02X}"}
+
+
+TARGET = Target(title="a table of all fields", files=files, filters=filters)
+"""
+TEMPLATE = """\
+set,descriptor,name,parameters
+{% for f in model.fields %}
+{{ f.set | hex }},{{ f.descriptor | hex }},{{ f.full_name }},{{ f.parameters | map(attribute="name") | join(" ") }}
+{% endfor %}
+"""
+#: In place of a target of ours, with one more file.
+CHANGED = """\
+from dataclasses import replace
+
+from mipgen.emit.target import File
+from mipgen.targets import c
+
+
+def files(model):
+    yield from c.TARGET.files(model)
+    yield File("fields.csv", "fields.csv.j2")
+
+
+TARGET = replace(c.TARGET, files=files)
+"""
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A folder of targets as the guide shows it."""
-    for path, text in re.findall(r"^`my-targets/(\S+)`:\n\n```\w+\n(.*?)```\n", GUIDE, re.M | re.S):
-        (tmp_path / "targets" / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / "targets" / path).write_text(text)
+    """A folder with one target."""
+    write(tmp_path / "targets/csv/target.py", TARGET)
+    write(tmp_path / "targets/csv/fields.csv.j2", TEMPLATE)
     return tmp_path / "targets"
 
 
@@ -37,10 +70,10 @@ def write(path: Path, text: str) -> None:
     path.write_text(text)
 
 
-def replace(folder: Path, path: str, other: str) -> None:
-    """Another path of the file that the target makes."""
+def replace(folder: Path, text: str, other: str) -> None:
     target = folder / "csv/target.py"
-    target.write_text(target.read_text().replace(f'"{path}"', f'"{other}"'))
+    assert text in target.read_text()
+    target.write_text(target.read_text().replace(text, other))
 
 
 def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -88,9 +121,7 @@ def test_templates_and_runtime_of_ours_are_replaced_and_joined(tmp_path: Path) -
 
 def test_the_module_of_ours_is_replaced(tmp_path: Path) -> None:
     folder = tmp_path / "targets"
-    shown = re.search(r"```python\n(from mipgen\.targets\.c import \*.*?)```", GUIDE, re.S)
-    assert shown is not None
-    write(folder / "c/target.py", f"from mipgen.render import File\n{shown[1]}")
+    write(folder / "c/target.py", CHANGED)
     write(folder / "c/fields.csv.j2", "{{ model.sets | length }} sets, {{ 'sensor' | module }}\n")
     assert generate(folder, "--target", "c") == 0
     assert made(folder, "c/fields.csv") == f"{len(model('invented').sets)} sets, sensor\n"
@@ -125,7 +156,8 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
     ("change", "message"),
     [
         (lambda f: write(f / "csv/fields.csv.j2", "\n{{ model.fieldz }}\n"),
-         "{f}/csv/fields.csv.j2:2: error: 'mipgen.model.Model object' has no attribute 'fieldz' (for fields.csv)"),
+         "{f}/csv/fields.csv.j2:2: error: 'mipgen.model.specification.Model object' "
+         "has no attribute 'fieldz' (for fields.csv)"),
         (lambda f: write(f / "csv/fields.csv.j2", "\n\n{% for %}\n"),
          "{f}/csv/fields.csv.j2:3: error: Expected an expression, got 'end of statement block' (for fields.csv)"),
         (lambda f: write(f / "csv/fields.csv.j2", "{{ 1 | hexx }}\n"),
@@ -133,13 +165,23 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
         (lambda f: (f / "csv/fields.csv.j2").unlink(),
          "target csv: error: there is no template fields.csv.j2 (for fields.csv)"),
         (lambda f: write(f / "csv/runtime/fields.csv", ""), "target csv: error: fields.csv is made twice"),
-        (lambda f: replace(f, "fields.csv", ".manifest"), "target csv: error: .manifest is made twice"),
-        (lambda f: replace(f, "fields.csv", "a/../../b"), "target csv: error: a/../../b is outside of its folder"),
-        (lambda f: replace(f, "fields.csv", "/tmp/b"), "target csv: error: /tmp/b is outside of its folder"),
-        (lambda f: write(f / "csv/target.py", "\nTITLE = = 'x'\n"),
+        (lambda f: replace(f, '"fields.csv"', '".manifest"'), "target csv: error: .manifest is made twice"),
+        (lambda f: replace(f, '"fields.csv"', '"a/../../b"'), "target csv: error: a/../../b is outside of its folder"),
+        (lambda f: replace(f, '"fields.csv"', '"/tmp/b"'), "target csv: error: /tmp/b is outside of its folder"),
+        (lambda f: write(f / "csv/target.py", "\nTARGET = = 'x'\n"),
          "{f}/csv/target.py:2: error: not Python: invalid syntax"),
         (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
-         "{f}/csv/target.py: error: a target must have identifiers and filters"),
+         "{f}/csv/target.py: error: TARGET is missing; write TARGET = Target(title=..., files=...)"),
+        (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:12: error: a Target has no 'titel'; it may have "
+         "title, files, filters, identifiers, grammar, formatter, rename, slow, conformance, needs, program"),
+        (lambda f: replace(f, "files=files, ", ""),
+         "{f}/csv/target.py:12: error: a Target needs title and files, by name: Target(title=..., files=..., ...)"),
+        (lambda f: replace(f, "files=files", "files=[]"),
+         "{f}/csv/target.py:12: error: files must be a function that takes the model, not []"),
+        (lambda f: replace(f, 'title="a table of all fields"', "title=''"),
+         "{f}/csv/target.py:12: error: title must be a line of text, not ''"),
+        (lambda f: replace(f, 'File("fields.csv", "fields.csv.j2")', '"fields.csv"'),
+         "target csv: error: files yields 'fields.csv'; it must yield File(path, template)"),
         (lambda f: (f / "cc").mkdir(), "{f}/cc: error: target.py is missing, and there is no target 'cc', "
          "did you mean 'c'?"),
     ],
@@ -160,7 +202,7 @@ def test_a_folder_without_targets_is_named(tmp_path: Path, capsys: pytest.Captur
 
 
 def test_a_fault_in_a_target_is_shown_with_its_place(folder: Path) -> None:
-    write(folder / "csv/target.py", (folder / "csv/target.py").read_text().replace("return ()", "return 1 / 0"))
+    write(folder / "csv/target.py", (folder / "csv/target.py").read_text().replace("yield", "1 / 0\n    yield"))
     for targets in (("csv",), ("csv", "c")):  # in this process, in another one
         with pytest.raises(ArithmeticError if len(targets) == 1 else RuntimeError, match="division by zero"):
             generate(folder, *(x for t in targets for x in ("--target", t)))

@@ -7,8 +7,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from mipgen import cache, formatting
-from mipgen.formatting import CLANG_FORMAT, RUFF, FormatError, Formatter, formatted
+from mipgen.base import cache
+from mipgen.emit import formatting
+from mipgen.emit.formatting import CLANG_FORMAT, RUFF, FormatError, Formatter, formatted
 
 C = {".clang-format": b"BasedOnStyle: LLVM\nIndentWidth: 4\n", "a.c": b"int  f(void){return 1;}\n", "b.txt": b"a  b"}
 PYTHON = {"pyproject.toml": b"[tool.ruff]\nline-length = 100\n", "p/a.py": b"import sys\nimport os\nx = [os,sys]\n"}

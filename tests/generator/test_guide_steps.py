@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from mipgen.guided import Step
-from mipgen.problems import SpecError
-from mipgen.resolve import load_model
+from mipgen.model.guides import Step
+from mipgen.read.problems import SpecError
+from mipgen.resolve.load import load_model
 from support import SPECS
 
 GUIDE = """\

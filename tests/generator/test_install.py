@@ -64,6 +64,7 @@ def use(mipgen: Path, folder: Path) -> None:
     assert tree(folder / "out") == tree(GOLDEN)
 
 
+@heavy("mipgen as an installed package")
 def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> None:
     bin_folder = environment(tmp_path / "venv")
     install(bin_folder, "--no-deps", wheel(built))
@@ -72,6 +73,7 @@ def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> N
     use(bin_folder / "mipgen", tmp_path / "work")
 
 
+@heavy("mipgen as an installed package")
 def test_it_reads_its_files_from_an_archive_too(built: Path, tmp_path: Path) -> None:
     run(
         sys.executable, "-m", "mipgen", "generate", "--spec", INVENTED, "--out", tmp_path / "out",
@@ -83,7 +85,9 @@ def test_it_reads_its_files_from_an_archive_too(built: Path, tmp_path: Path) -> 
 def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     with zipfile.ZipFile(wheel(built)) as archive:
         held = {name for name in archive.namelist() if ".dist-info/" not in name}
-    listed = run("git", "ls-files", "generator", "templates", "spec/schema", "LICENSE", cwd=ROOT).splitlines()
+    listed = run(
+        "git", "ls-files", "generator", "templates", "runtime", "spec/schema", "LICENSE", cwd=ROOT
+    ).splitlines()
     there = [name for name in listed if (ROOT / name).is_file()]
     assert held == {
         name.removeprefix("generator/") if name.startswith("generator/") else f"mipgen/data/{name}" for name in there

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from mipgen import model as m
-from mipgen.operations import open_ended, size
-from mipgen.resolve import load_model
-from specimen import field, load
+from mipgen.lower.operations import open_ended
+from small_specs import field, load
+from support import model
 
-INVENTED = load_model(Path(__file__).parents[1] / "invented/spec")
+INVENTED = model("invented")
 
 
 def invented(name: str) -> m.Field:
@@ -130,20 +128,12 @@ def test_bits() -> None:
 
 
 def test_types_come_after_those_that_they_use() -> None:
-    tools = INVENTED.set(1)
+    tools = INVENTED.family("tools")
     assert tools is not None
     order = [t.name for t in tools.types]
     assert order.index("fill") < order.index("circle") and order.index("stripes") < order.index("circle")
     shared = [t.name for t in INVENTED.types]
     assert shared.index("point") < shared.index("segment") and shared.index("mode") < shared.index("state_flags")
-
-
-def test_repeated_fields() -> None:
-    f = invented("more.accel")
-    assert (f.set, f.definition, f.title, f.descriptor) == (0x81, "measurements.accel", "Second acceleration", 1)
-    assert f.operations == invented("measurements.accel").operations
-    more = INVENTED.set(0x81)
-    assert more is not None and [x.name for x in more.own_fields] == ["own"]
 
 
 def test_responses() -> None:
@@ -226,7 +216,7 @@ def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
               - {response: 0x81, parameters: as_command}
               - {response: 0x82, name: other, parameters: as_command, valid: flags.ready}
         """
-    valid = {f.name: f.parameters[0].valid for f in load(text).sets[1].fields}
+    valid = {f.name: f.parameters[0].valid for f in load(text).families[1].fields}
     assert valid == {"it": ("flags.ready",), "it_response": (), "other": ("flags.ready",)}
 
 
@@ -269,8 +259,7 @@ def test_references() -> None:
     bias, shared = invented("tools.bias"), invented("tools.bias_vector")
     assert INVENTED.responses(bias) == (shared,)
     assert INVENTED.commands(shared) == (bias, invented("tools.capture_bias"))
-    assert INVENTED.original(invented("more.accel")) is invented("measurements.accel")
-    assert INVENTED.repeats(invented("measurements.accel")) == (invented("more.accel"), invented("copy.accel"))
+    assert invented("more.accel") is invented("copy.accel") is invented("measurements.accel")
     assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a", "model-c"]
     ((first, a), (second, b), _) = INVENTED.supports(invented("tools.settings"))
     assert (first.id, m.letters(a.functions), a.differs) == ("model-a", "WRSLDA", False)
@@ -280,25 +269,42 @@ def test_references() -> None:
 def test_sets_are_sorted_and_fields_too() -> None:
     assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x92, 0xFF]
     assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "data", "shared"]
-    for s in INVENTED.sets:
-        keys = [(f.role == m.RESPONSE, f.descriptor) for f in s.fields]
+    for x in INVENTED.families:
+        keys = [(f.role == m.RESPONSE, f.descriptor) for f in x.fields]
         assert keys == sorted(keys)
 
 
-def test_a_set_that_repeats_another_as_a_whole() -> None:
-    origin, copy = INVENTED.set(0x80), INVENTED.set(0x92)
-    assert origin is not None and copy is not None
-    assert [f.name for f in copy.fields] == [f.name for f in origin.fields] and not copy.own_fields
-    assert {f.definition for f in copy.fields} == {f.full_name for f in origin.fields}
-    cited = {f.name: [s.section for s in f.sources] for f in copy.fields}
-    assert cited["accel"] == ["Third acceleration"] and cited["radio"] == ["Copied measurements"]
-    assert [x.name for x in copy.named] == ["shade", "ghost"]
-    more = INVENTED.set(0x81)
-    assert more is not None and [f.name for f in more.fields] == ["accel", "strings", "own"] and not more.named
+def test_a_family_of_sets() -> None:
+    """A field occurs in the sets with every field, in those that it lists, or only in some."""
+    family = INVENTED.family("measurements")
+    assert family is not None and [s.name for s in family.sets] == ["measurements", "more", "copy"]
+    there = {s.name: [f.name for f in INVENTED.fields_in(s)] for s in family.sets}
+    assert there["copy"] == there["measurements"] and len(there["copy"]) > 5
+    assert there["more"] == ["accel", "strings", "own"]
+    accel, radio, own = (invented(f"measurements.{name}") for name in ("accel", "radio", "own"))
+    assert (accel.sets, radio.sets, own.sets) == ((0x80, 0x81, 0x92), (0x80, 0x92), (0x81,))
+    assert (accel.name_in(0x92), own.name_in(0x81), own.full_name) == ("copy.accel", "more.own", "measurements.own")
+    assert [o.title for o in accel.occurrences] == ["Acceleration", "Second acceleration", "Third acceleration"]
+    cited = {o.set_name: [s.section for s in o.sources] for o in (*accel.occurrences, *radio.occurrences[1:])}
+    assert cited["more"] == ["Second acceleration"] and cited["copy"] == ["Copied measurements"]
+    assert [x.name for x in family.named] == ["shade", "ghost"]
+    assert [f.name for f in INVENTED.candidates(0x81, 0x07)] == ["own"] != INVENTED.candidates(0x80, 0x07)
+    assert INVENTED.set_of("copy.accel") == 0x92 and INVENTED.set_of("measurements.own") == 0x80
+
+
+def test_every_field_has_sources() -> None:
+    """A specification of one's own needs none; here they say where a fact comes from, in each set."""
+    assert [f.full_name for f in model("real").fields if not all(o.sources for o in f.occurrences)] == []
+
+
+def test_what_occurs_everywhere() -> None:
+    acknowledge, timestamp = INVENTED.protocol.acknowledge, invented("shared.timestamp")
+    assert (acknowledge.sets, timestamp.sets) == (range(0x01, 0x80), range(0x80, 0xFF))
+    assert timestamp.name_in(0x80) == timestamp.full_name and acknowledge.name_in(0x0C) == acknowledge.full_name
 
 
 def test_descriptors_that_are_only_named() -> None:
-    tools = INVENTED.set(0x01)
+    tools = INVENTED.family("tools")
     assert tools is not None
     assert [(x.descriptor, x.role, x.name) for x in tools.named] == [
         (0x20, "command", "farewell"),
@@ -350,13 +356,18 @@ def test_candidates() -> None:
 def test_positions_are_those_of_the_file() -> None:
     head = "set: 5\nname: it\ntitle: It\ndescription: It.\n"
     model = load(f"{head}types:\n  kind:\n    enum: u8\n    values:\n      a: 1\n")
-    t = model.sets[1].types[0]
+    t = model.families[1].types[0]
     assert isinstance(t, m.Enum) and t.position is not None and t.values[0].position is not None
     assert (t.position.line, t.position.column) == (6, 3)
     assert (t.values[0].position.line, t.values[0].position.column) == (9, 7)
 
 
-def test_measures() -> None:
+def test_open_ended() -> None:
     u8 = m.ScalarOp("a", m.SCALARS["u8"], None, 1)
-    assert size(None) == (0, 0) and size(m.GroupOp(1, 1, (u8, u8))) == (0, 2)
     assert open_ended(m.ArrayOp("a", u8, None, None, 5)) and not open_ended(m.ArrayOp("a", u8, None, "n", 5))
+
+
+def test_a_field_may_be_full() -> None:
+    """Of 255 bytes, two are its length and its descriptor."""
+    assert field("[{name: a, type: u8, count: 251}, {name: b, type: u16}]").max_size == 253
+    assert field("[{name: n, type: u8}, {name: a, type: u16, count: n}]").max_size == 253

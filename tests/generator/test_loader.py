@@ -9,12 +9,13 @@ from typing import Any
 
 import jsonschema
 import pytest
-from corpus import BASE
-from mipgen import loader, nodes, spelling
-from mipgen.model import SCALARS, Position
-from mipgen.nodes import Node
-from mipgen.problems import MANY, Problems, SpecError, nearest
-from mipgen.resolve import load_model
+from bad_spec_files import BASE
+from mipgen.model import SCALARS
+from mipgen.read import loader, nodes, spelling
+from mipgen.read.nodes import Node
+from mipgen.read.position import Position
+from mipgen.read.problems import MANY, Problems, SpecError, nearest
+from mipgen.resolve.load import load_model
 from support import ROOT, model
 
 

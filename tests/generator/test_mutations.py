@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import copy
-import os
 import random
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
-from corpus import BASE, only_what_changed
-from mipgen import nodes
-from mipgen.loader import LAYOUT
-from mipgen.problems import Problems, SpecError
-from mipgen.resolve import load_model
+from bad_spec_files import BASE, only_what_changed
+from mipgen.read import nodes
+from mipgen.read.loader import LAYOUT
+from mipgen.read.problems import Problems, SpecError
+from mipgen.resolve.load import load_model
+from random_values import chance as chance_of
+from support import rounds
 
 INVENTED = Path(__file__).parents[1] / "invented/spec"
-#: For a longer search: MUTATIONS=5000 SEED=7 pytest tests/generator/test_mutations.py
-SEED = int(os.environ.get("SEED", "20260101"))
-MUTATIONS = int(os.environ.get("MUTATIONS", "400"))
+#: For a longer search: NIGHTLY=1 SEED=7 pytest tests/generator/test_mutations.py
+MUTATIONS = rounds(30, 3000)
 
 ODD_VALUES = [
     None,
@@ -100,7 +100,7 @@ def test_only_problems_come_out(spec: Path, tmp_path: Path) -> None:
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text, "utf-8")
     load_model(tmp_path)
-    chance = random.Random(SEED)
+    chance = chance_of(spec.name, spec.parent.name)
     refused = 0
     for turn in range(MUTATIONS):
         trees = copy.deepcopy(whole)
@@ -123,10 +123,10 @@ def test_only_problems_come_out_of_any_text(tmp_path: Path) -> None:
     for name in files(BASE):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text((BASE / name).read_text("utf-8"), "utf-8")
-    chance = random.Random(SEED)
+    chance = chance_of("text")
     target = tmp_path / "sets/tools.yaml"
     text = target.read_text("utf-8")
-    for turn in range(MUTATIONS):
+    for turn in range(3 * MUTATIONS):
         at, size = chance.randrange(len(text)), chance.choice([0, 1, 1, 20])
         piece = chance.choice(
             [*"{}[],:&*!|>'\"#%@`-?\t\n\x00\u2028", "? ", "- ", "<<: ", "*a", "&a ", "!!int ", "...", "---\n"]

@@ -8,9 +8,9 @@ import pkgutil
 
 import mipgen
 import pytest
-from mipgen.model import Position
-from mipgen.naming import Escape, Identifier, collisions, judge, pascal, upper
-from mipgen.problems import Problems
+from mipgen.emit.naming import Escape, Grammar, Identifier, collisions, judge, pascal, upper
+from mipgen.read.position import Position
+from mipgen.read.problems import Problems
 
 MODULES = [m.name for m in pkgutil.walk_packages(mipgen.__path__, "mipgen.") if m.name != "mipgen.__main__"]
 
@@ -61,13 +61,30 @@ def test_collisions_name_both_and_point_at_the_second() -> None:
     ]
 
 
+@pytest.mark.parametrize("name", ["", "1st", "a-b", "a b", "été", "a\n"])
+def test_a_name_that_is_no_identifier(name: str) -> None:
+    problems = Problems()
+    place = Position("a.yaml", 5, 3)
+    judge("c", [Identifier("C", name, "set.field", place)], Grammar(r"[a-z]\w*"), problems)
+    assert [str(p) for p in problems.sorted()] == [
+        f"a.yaml:5:3: error: 'set.field' becomes '{name}' in C; this is no identifier in the target c: rename it, or "
+        "let the target escape it"
+    ]
+
+
+def test_names_of_other_things_than_the_language_has() -> None:
+    problems = Problems()
+    judge("c", [Identifier("files", "3dm", "set 3dm", None, word=False)], Grammar(r"[a-z]\w*", longest=2), problems)
+    assert not problems
+
+
 def test_too_long_a_name_is_reported_once_for_each_thing() -> None:
     place = Position("a.yaml", 5, 3)
     names = [Identifier("C", "a" * n, "set.field", place) for n in (63, 64, 66, 65)]
 
     def judged(identifiers: list[Identifier], longest: int | None) -> list[str]:
         problems = Problems()
-        judge("c", identifiers, longest, problems)
+        judge("c", identifiers, Grammar(r"a+", longest=longest), problems)
         return [str(p) for p in problems.sorted()]
 
     assert judged(names[:1], 63) == judged(names, 66) == judged(names, None) == []

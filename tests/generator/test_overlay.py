@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from mipgen import describe
-from mipgen.problems import SpecError
-from mipgen.resolve import load_model
+from mipgen.facts import describe
+from mipgen.read.problems import SpecError
+from mipgen.resolve.load import load_model
 from support import ROOT, SPECS, model
 
 OVERLAY = ROOT / "tests/overlay"
@@ -28,9 +28,14 @@ def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
 
 
 def test_the_specification_below_keeps_its_requirements(tmp_path: Path) -> None:
-    """Sources are optional in an overlay alone."""
+    """A descriptor without a layout needs no sources in an overlay alone."""
+    named = "{}\nnamed:\n  - {{command: 0x70, name: lamp, title: Lamp}}\n"
+    (tmp_path / "mine/sets").mkdir(parents=True)
+    (tmp_path / "mine/sets/a.yaml").write_text(named.format("extend: tools"), "utf-8")
+    assert [x.name for x in load_model(BASE, tmp_path / "mine").families[0].named] == ["lamp"]
     shutil.copytree(BASE, tmp_path / "spec")
-    shutil.copy(OVERLAY / "sets/payload.yaml", tmp_path / "spec/sets/payload.yaml")
+    tools = tmp_path / "spec/sets/tools.yaml"
+    tools.write_text(named.format(tools.read_text("utf-8")), "utf-8")
     with pytest.raises(SpecError, match="'sources' is missing"):
         load_model(tmp_path / "spec")
 
@@ -107,7 +112,7 @@ def test_an_overlay_may_extend_another(tmp_path: Path) -> None:
         "extend: payload\nfields:\n  - {command: 0x02, name: horn, title: Horn, description: Sounds the horn.}\n"
     )
     both = load_model(SPECS["real"][0], OVERLAY, tmp_path)
-    assert [f.name for f in both.sets[[s.name for s in both.sets].index("payload")].fields] == [
+    assert [f.name for x in both.families if x.name == "payload" for f in x.fields] == [
         "lamp",
         "horn",
         "lamp_response",

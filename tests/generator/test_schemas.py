@@ -15,9 +15,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from corpus import BASE
-from mipgen.loader import LAYOUT
+from bad_spec_files import BASE
 from mipgen.model import SCALARS
+from mipgen.read.loader import LAYOUT
 from support import model
 
 ROOT = Path(__file__).parents[2]

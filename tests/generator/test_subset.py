@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import pytest
 from mipgen import model as m
-from mipgen import render
-from mipgen.errors import Failure
-from mipgen.subset import Selection, left_out, select
+from mipgen.base.errors import Failure
+from mipgen.emit import render
+from mipgen.resolve.subset import Selection, left_out, select
 from support import model
 
 REAL, INVENTED = model("real"), model("invented")
@@ -20,7 +22,8 @@ def whole(part: m.Model) -> None:
     """Everything that a part refers to is in it."""
     types = {(getattr(t, "owner", None), t.name) for t in part.all_types}
     for f in (part.protocol.acknowledge, *part.fields):
-        part.responses(f), part.commands(f), part.original(f), part.supports(f)
+        part.responses(f), part.commands(f), part.supports(f)
+        assert all(part.set(o.set) for o in f.occurrences if not f.everywhere), f.full_name
         assert all(part.field(c.command) for c in f.silenced_by if c.command), f.full_name
         for p in f.parameters:
             for t in (p.element, *(v.type for v in p.variants)):
@@ -55,20 +58,31 @@ def test_of_a_device(device: m.Device) -> None:
     part = select(REAL, Selection(devices=(device.id,)))
     whole(part)
     supported = {s.field.full_name for s in device.supports}
-    needed = {f.definition for f in part.fields if f.definition}
-    needed |= {c.full_name for s in device.supports for r in REAL.responses(s.field) for c in REAL.commands(r)}
+    needed = {c.full_name for s in device.supports for r in REAL.responses(s.field) for c in REAL.commands(r)}
     asked = {n for n in names(part) if part.field(n).role != m.RESPONSE}  # type: ignore[union-attr]
     assert asked - supported == needed - supported
     assert [d.id for d in part.devices] == [device.id]
+    places = {(f.full_name, n) for f in part.fields if f.role == m.DATA and not f.everywhere for n in f.sets}
+    assert places == {(s.field.full_name, s.set) for s in device.supports if s.set in m.DATA_SETS}
 
 
 @pytest.mark.parametrize("s", REAL.sets, ids=lambda s: s.name)
 def test_of_a_set(s: m.Set) -> None:
     part = select(REAL, Selection(sets=(s.name,)))
     whole(part)
-    needed = {f.definition for f in s.fields if f.definition}
-    shared = {f.full_name for f in REAL.fields if f.set == m.SHARED_SET} if s.kind != "command" else set()
-    assert names(part) == {f.full_name for f in s.fields} | needed | shared
+    shared = {f.full_name for f in REAL.fields if f.everywhere} if s.kind != "command" else set()
+    assert names(part) == {f.full_name for f in REAL.fields_in(s)} | shared
+    assert [x.name for x in part.sets if x.name != "shared"] == [s.name] * (s.name != "shared")
+
+
+def test_of_a_field_in_one_of_its_sets() -> None:
+    """The name in a set selects that set alone; the name of the layout selects all."""
+    for name, sets in (("copy.accel", (0x92,)), ("measurements.accel", (0x80, 0x81, 0x92))):
+        part = select(INVENTED, Selection(fields=(name,)))
+        accel = part.field("measurements.accel")
+        assert accel is not None and accel.sets == sets
+        assert {s.number for s in part.sets if s.name != "shared"} == {*sets}
+        assert all(s.set in sets for d in part.devices for s in d.supports if s.field is accel)
 
 
 @pytest.mark.parametrize("f", INVENTED.fields, ids=lambda f: f.full_name)
@@ -173,3 +187,26 @@ def test_unknown_names(selection: Selection, message: str) -> None:
     with pytest.raises(Failure) as caught:
         select(REAL, selection)
     assert str(caught.value) == f"mipgen: error: {message}"
+
+
+def test_the_values_of_a_range_of_bits_come_with_it() -> None:
+    """An enumeration that only bits of a bitfield refer to."""
+    f = INVENTED.field("measurements.accel")
+    assert f is not None and isinstance(f.parameters[1].element, m.Bitfield)
+    assert {b.enum.name for b in f.parameters[1].element.bits if b.enum} == {"mode"}
+    assert all(p.element is not None and getattr(p.element, "name", "") != "mode" for p in f.parameters)
+    part = select(INVENTED, Selection(fields=(f.full_name,)))
+    assert "mode" in {t.name for t in part.all_types}
+
+
+def test_layouts_keep_their_senders_where_none_is_selected() -> None:
+    """Otherwise any device would send them."""
+
+    def bound(f: m.Field) -> m.Field:
+        return dataclasses.replace(f, devices=("model-a",)) if f.name == "status_long" else f
+
+    families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in INVENTED.families)
+    of = dataclasses.replace(INVENTED, families=families)
+    part = select(of, Selection(devices=("model-b",), fields=("tools.status",)))
+    layouts = {f.name: f.devices for f in part.fields if f.name.startswith("status_")}
+    assert layouts.items() >= {"status_short": (), "status_long": ("model-a",)}.items()

@@ -7,9 +7,9 @@ import { pathToFileURL } from "node:url";
 
 const folder = path.resolve(process.argv[2]);
 const load = (name) => import(pathToFileURL(path.join(folder, name)));
-await load("model.js");
-const { MipError, Packet, Parser, Protocol, buildPacket, fromHex, toHex } = await load("mip/index.mjs");
-const protocol = new Protocol(globalThis.mipModel);
+const { default: model } = await load("model.mjs");
+const { MipError, Packet, Parser, Protocol, buildPacket, fromHex, nameIn, toHex } = await load("mip/index.mjs");
+const protocol = new Protocol(model);
 
 class BadRequest extends Error {}
 
@@ -38,7 +38,7 @@ function decode({ packet }) {
         if (descriptor === undefined) return { error: error.kind };
         if (!field) return { descriptor, raw: toHex(data) };
         if (error) return { descriptor, error: error.kind, raw: toHex(data) };
-        return { descriptor, name: field.name, role: field.role, values, trailing };
+        return { descriptor, name: nameIn(field, found.set), role: field.role, values, trailing };
     });
     return { set: found.set, fields };
 }

@@ -14,7 +14,7 @@ window.fill = (() => {
         control.dispatchEvent(new Event("input"));
     };
     const bits = (path, value) => {
-        const type = mipModel.types.filter((one) => one.kind === "bitfield");
+        const type = mip.model.types.filter((one) => one.kind === "bitfield");
         const names = [...at(path).children].map(own).filter((name) => name && name !== path.at(-1) && name !== "value");
         const { bits: known } = type.find((one) => String(one.bits.map((b) => b.name)) === String(names));
         for (const { name, first, last } of known) {

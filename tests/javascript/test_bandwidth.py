@@ -9,9 +9,10 @@ from collections.abc import Iterator
 import browser
 import pytest
 from mipgen import model as m
-from support import ROOT, heavy, model
+from support import heavy, model
+from workbench import workbench
 
-pytestmark = [] if browser.installed() else heavy("chromium")
+pytestmark = heavy("Chromium")
 
 #: Chooses fields of sets with the numbers beside them: [set, field, number].
 CHOOSE = """
@@ -39,7 +40,7 @@ window.choose = (device, wanted) => {
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
     with browser.page() as opened:
-        opened.open(ROOT / "generated/javascript/tools/bandwidth.html")
+        opened.open(workbench("real") / "bandwidth.html")
         opened.run(CHOOSE + "0")
         yield opened
         assert opened.complaints == []
@@ -66,7 +67,7 @@ def test_what_no_port_carries(page: browser.Page) -> None:
     of = model("real")
     device = of.device("3dm-gx5-15")
     assert device is not None
-    wanted = [["sensor", s.field.full_name, 1] for s in device.supports if s.field.set_name == "sensor"]
+    wanted = [["sensor", s.name, 1] for s in device.supports if s.name.startswith("sensor.")]
     assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is enough"
 
 
@@ -95,10 +96,10 @@ def test_random_streams(page: browser.Page, device: str) -> None:
     assert d is not None
     bases = {r.set.name: r.hertz for r in d.base_rates}
     for _ in range(5):
-        data = [s.field for s in d.supports if s.field.role == m.DATA]
-        places = [(f.set_name, f) for f in data if f.set != m.SHARED_SET]
+        data = [s for s in d.supports if s.field.role == m.DATA]
+        places = [(s.name.partition(".")[0], s.field) for s in data if s.set != m.SHARED_SET]
         sets = sorted({name for name, _ in places})
-        places += [(name, f) for f in data if f.set == m.SHARED_SET for name in sets]
+        places += [(name, s.field) for s in data if s.set == m.SHARED_SET for name in sets]
         streams: dict[str, list[tuple[m.Field, float]]] = {}
         wanted = []
         for name, f in chance.sample(places, min(4, len(places))):
@@ -125,7 +126,7 @@ def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
     of = model("real").device("3dm-gx5-35")
     assert of is not None and of.incomplete
     for s in of.supports:
-        if s.field.set_name == "sensor" and s.field.role == m.DATA:
+        if s.name.startswith("sensor.") and s.field.role == m.DATA:
             assert page.run(row.format("sensor", s.field.full_name)).endswith("(perhaps)") == bool(s.evidence)
 
 

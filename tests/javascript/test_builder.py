@@ -11,15 +11,16 @@ from typing import Any
 
 import browser
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from mipgen.targets.c import snippets as c
-from mipgen.targets.python import snippets as python
-from mipgen.targets.rust.snippets import Snippets
-from mipgen.typical import Typical
-from support import ROOT, all_fields, driver, encode_request, heavy, model, set_of
+from mipgen.facts.sample_values import SampleValues
+from mipgen.lower import codec
+from mipgen.targets.c import api as c
+from mipgen.targets.python import api as python
+from mipgen.targets.rust import api as rust
+from support import all_fields, driver, encode_request, heavy, model, set_of
+from workbench import workbench
 
-pytestmark = [] if browser.installed() else heavy("chromium")
+pytestmark = heavy("Chromium")
 
 #: Fills in the form by its labels; defines `fill`.
 FILL = (Path(__file__).parent / "fill.js").read_text("utf-8")
@@ -28,7 +29,7 @@ FILL = (Path(__file__).parent / "fill.js").read_text("utf-8")
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
     with browser.page() as opened:
-        opened.open(ROOT / "generated/javascript/tools/builder.html")
+        opened.open(workbench("real") / "builder.html")
         opened.run(f"{FILL}; 0")
         yield opened
         assert opened.complaints == []
@@ -158,7 +159,7 @@ window.texts = (selector) => [...document.querySelectorAll(selector)].map((one) 
 
 def start(page: browser.Page, fragment: str) -> None:
     page.open("about:blank")  # another fragment alone loads nothing
-    page.open((ROOT / "generated/javascript/tools/builder.html").as_uri() + "#" + fragment)
+    page.open((workbench("real") / "builder.html").as_uri() + "#" + fragment)
     page.run(PUT)
 
 
@@ -176,20 +177,20 @@ def own(page: browser.Page) -> Iterator[browser.Page]:
     """The page, filled in otherwise, and as it was then."""
     yield page
     page.open("about:blank")
-    page.open(ROOT / "generated/javascript/tools/builder.html")
+    page.open(workbench("real") / "builder.html")
     page.run(f"{FILL}; 0")
 
 
 def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> None:
     of = model("real")
-    typical, rust = Typical(of), Snippets(Typical(of))
+    samples = SampleValues(of)
     for name in ("3dm.message_format", "aiding.llh_position", "sensor.scaled_accel"):
         f = of.field(name)
         assert f is not None
         start(own, name)
-        assert packet(own) == typical.packet(f)
+        assert packet(own) == samples.packet(f)
         if f.role == m.DATA:
-            assert programs(own) == [c.data(f), python.data(f), rust.data(f)]
+            assert programs(own) == [x.Programs(samples).data(f) for x in (c, python, rust)]
     start(own, "3dm.message_format")
     for text in ("mip_call_3dm_message_format_write(device, 0x80, 2, descriptors)", "0x80,", "{.descriptor = 0x04, "):
         assert text in programs(own)[0] + programs(own)[1]
@@ -282,11 +283,18 @@ def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
     for d in of.devices:
         own.run(f"put('#mip-device', {d.id!r})")
         shown = set(own.run("[...document.querySelector('#mip-field').options].map((one) => one.value)"))
-        known = {s.field.full_name for s in d.supports}
+        known = {s.name for s in d.supports}
         if d.incomplete:
-            known = {f.full_name for f in of.fields}
+            known = {f.name_in(number) for f in of.fields for number in ([0] if f.everywhere else f.sets)}
         answers = {f.full_name for f in of.fields if f.role == m.RESPONSE}
         assert shown - answers == (known | {"protocol.acknowledge", "base.ping"}) - answers
+
+
+def test_a_field_of_several_sets_is_built_into_the_named_one(own: browser.Page) -> None:
+    start(own, "gnss_2.dop")
+    assert packet(own)[2] == 0x92 and own.run("document.querySelector('#mip-field').value") == "gnss_2.dop"
+    own.run("put('#mip-field', 'gnss_1.dop')")
+    assert packet(own)[2] == 0x91 and own.run("document.querySelector('#mip-field').value") == "gnss_1.dop"
 
 
 def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) -> None:

@@ -14,14 +14,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from mipgen.targets.c import snippets as c
-from mipgen.targets.python import snippets as python
-from mipgen.targets.rust.snippets import Snippets
-from mipgen.typical import Typical
-from strategies import drawn
+from mipgen.facts.sample_values import SampleValues
+from mipgen.lower import codec
+from mipgen.targets.c import api as c
+from mipgen.targets.python import api as python
+from mipgen.targets.rust import api as rust
+from random_values import drawn
 from support import SPECS, heavy, model, need
+from workbench import workbench
 
 #: It needs Node.
 pytestmark = [] if shutil.which("node") else heavy("node")
@@ -33,7 +34,7 @@ def programs(spec: str, calls: dict[str, Any], folder: Path) -> dict[str, dict[s
     """What the builder writes for these calls: function selectors, for typical values, or whole values."""
     path = folder / "calls.json"
     path.write_text(json.dumps(calls))
-    command = [need("node"), HERE / "programs.mjs", SPECS[spec][1] / "javascript", path]
+    command = [need("node"), HERE / "programs.mjs", workbench(spec), path]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     found: dict[str, dict[str, str]] = json.loads(done.stdout)
@@ -43,26 +44,28 @@ def programs(spec: str, calls: dict[str, Any], folder: Path) -> dict[str, dict[s
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_typical_values_of_every_command_and_field(spec: str, tmp_path: Path) -> None:
     of = model(spec)
-    typical, rust = Typical(of), Snippets(Typical(of))
+    samples = SampleValues(of)
     asked = [f for f in of.fields if f.role != m.RESPONSE]
     calls = {
-        f.full_name: [x.function and x.function.value for x in typical.shown(f)] if f.role == m.COMMAND else None
+        f.full_name: [x.function and x.function.value for x in samples.shown(f)] if f.role == m.COMMAND else None
         for f in asked
     }
     found = programs(spec, calls, tmp_path)
     for f in asked:
-        if f.role == m.COMMAND:
-            wanted = (c.command(f, typical), python.command(f, typical), rust.command(f))
-        else:
-            wanted = (c.data(f), python.data(f), rust.data(f))
-        assert found[f.full_name] == dict(zip(("c", "python", "rust"), wanted, strict=True)), f.full_name
+        assert found[f.full_name] == wanted(f, samples), f.full_name
+
+
+def wanted(f: m.Field, samples: SampleValues) -> dict[str, str]:
+    """What the generator writes in each language."""
+    each = {"c": c.Programs(samples), "python": python.Programs(samples), "rust": rust.Programs(samples)}
+    return {language: of.command(f) if f.role == m.COMMAND else of.data(f) for language, of in each.items()}
 
 
 # --------------------------------------------------------------------------- other values
 
 
-class Given(Typical):
-    """These values in place of typical ones."""
+class Given(SampleValues):
+    """These values in place of sample ones."""
 
     def __init__(self, of: m.Model, given: codec.Values) -> None:
         super().__init__(of)
@@ -87,7 +90,7 @@ def writable(op: m.Operation, value: Any) -> Any:
         case m.ScalarOp(scalar=scalar):
             return value & 1 if scalar.kind == "bool" else value >> 11 if op.size == 8 else value
         case m.TextOp():
-            return "".join(chr(33 + ord(x) % 90) for x in value)
+            return "".join(chr(33 + ord(x) % 94) for x in value)
         case m.ArrayOp():
             return [writable(op.item, x) for x in value]
         case m.StructOp():
@@ -138,9 +141,7 @@ def test_other_values(spec: str, tmp_path: Path) -> None:
         chosen = {f.full_name: (f, values) for f, values in others(of, 3 + round_)}
         found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
         for name, (f, values) in chosen.items():
-            given = Given(of, values)
-            wanted = (c.command(f, given), python.command(f, given), Snippets(given).command(f))
-            assert found[name] == dict(zip(("c", "python", "rust"), wanted, strict=True)), name
+            assert found[name] == wanted(f, Given(of, values)), name
             bodies.append((f, values, found[name]["python"]))
             seen += 1
     assert seen > (200 if spec == "real" else 20)
@@ -189,7 +190,7 @@ def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[
 def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
     """Constructors set it: a program would send something else than the packet beside it."""
     commands = (f for f in model(spec).fields if f.role == m.COMMAND)
-    typical = ((f, Typical(model(spec)).values(f, f.calls[0])) for f in commands)
+    typical = ((f, SampleValues(model(spec)).values(f, f.calls[0])) for f in commands)
     chosen = {f.full_name: found for f, values in typical if (found := spoiled(f.parameters, values))}
     found = programs(spec, {name: [values] for name, (_, values) in chosen.items()}, tmp_path)
     for name, (reserved_, _) in chosen.items():
@@ -209,7 +210,7 @@ def test_a_union_without_a_value(tmp_path: Path) -> None:
     held = {"descriptor_set": 0x82, "field_descriptor": 5, "parameter_id": 1, "type": 9, "thresholds": {}}
     values = {"function": 1, "instance": 1, "type": 2, "parameters": {"threshold": held}}
     text = programs("real", {f.full_name: [values]}, tmp_path)[f.full_name]["c"]
-    assert text == c.command(f, Given(of, values)) and "thresholds" not in text
+    assert text == c.Programs(Given(of, values)).command(f) and "thresholds" not in text
     source = tmp_path / "program.c"
     head, _, body = text.partition("\n")
     source.write_text(

@@ -7,16 +7,17 @@ from typing import Any
 
 import browser
 import pytest
-from queries import QUERIES
-from support import ROOT, heavy
+from searches import FIELDS
+from support import heavy
+from workbench import workbench
 
-pytestmark = [] if browser.installed() else heavy("chromium")
+pytestmark = heavy("Chromium")
 
 
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
     with browser.page() as opened:
-        opened.open(ROOT / "generated/javascript/tools/finder.html")
+        opened.open(workbench("real") / "finder.html")
         yield opened
         assert opened.complaints == []
 
@@ -30,7 +31,7 @@ def found(page: browser.Page, text: str) -> list[Any]:
     return fields
 
 
-@pytest.mark.parametrize(("text", "field"), QUERIES.items())
+@pytest.mark.parametrize(("text", "field"), FIELDS.items())
 def test_what_people_type(page: browser.Page, text: str, field: str) -> None:
     assert found(page, text)[0] == field
 
@@ -57,7 +58,7 @@ def test_without_a_reference_there_are_no_links(page: browser.Page) -> None:
 def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> None:
     """A response is on the page of its command, and the acknowledge on one of its own."""
     page.run(
-        "mipPage(mip.finder, {"
+        "mip.finder(document.getElementById('tool'), new mip.Protocol(mip.model), {"
         " fieldPage: 'fields/{set}/{page}.html#{field}', acknowledgePage: 'packets.html#{field}' }); 0"
     )
     found(page, field)
@@ -74,7 +75,7 @@ def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> N
 )
 def test_a_packet_is_for_the_inspector(page: browser.Page, text: str) -> None:
     page.open("about:blank")
-    page.open(ROOT / "generated/javascript/tools/finder.html")
+    page.open(workbench("real") / "finder.html")
     found(page, text)
     first = "document.querySelector('.mip-results li a')"
     assert page.run(f"{first}.textContent") == "Packet: open in the inspector"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import struct
 import sys
@@ -13,12 +14,12 @@ from typing import Any
 
 import browser
 import pytest
-from mipgen import codec
-from strategies import drawn
+from mipgen.lower import codec
+from random_values import drawn
 from support import ROOT, all_fields, heavy, model, set_of
+from workbench import workbench
 
-pytestmark = [] if browser.installed() else heavy("chromium")
-TOOLS = ROOT / "generated/javascript/tools"
+pytestmark = heavy("Chromium")
 
 #: What the page shows, as data.
 READ = """
@@ -48,7 +49,7 @@ READ = """
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
     with browser.page() as opened:
-        opened.open(TOOLS / "inspector.html")
+        opened.open(workbench("real") / "inspector.html")
         yield opened
         assert opened.complaints == []
         assert all(url.startswith("file://") for url in opened.asked), opened.asked
@@ -83,7 +84,7 @@ Row = tuple[str, Any, Any, str]  # path, parameter, value, unit
 
 def rows(record: Any, path: str = "") -> Iterator[Row]:
     """Every value of a field as the Python binding has it."""
-    for p in binding("mip_protocol.reflection").PARAMETERS[type(record)]:
+    for p in binding("mip_protocol.reflection").info(type(record)).parameters:
         name = f"{path}.{p.name}" if path else p.name
         beside = p.of(record)
         p = replace(p, units=beside.units, elements=beside.elements)
@@ -115,7 +116,7 @@ def one(p: Any, value: Any, path: str) -> Iterator[Row]:
     if p.elements:
         for i, (name, element) in enumerate(zip(p.elements, value, strict=True)):
             yield f"{path}.{name}", p, element, unit(p, i)
-    elif p.kind == "struct" or (p.type is not None and type(value) in binding("mip_protocol.reflection").PARAMETERS):
+    elif p.kind == "struct" or isinstance(value, binding("mip_protocol.field").Structure):
         yield from rows(value, path)
     else:
         yield path, p, value, unit(p, 0)
@@ -154,7 +155,7 @@ def check(row: Any, path: str, p: Any, value: Any, unit: str) -> None:
             assert struct.pack(form, float(shown)) == raw
             assert float(shown) == pytest.approx(value, rel=1e-6, nan_ok=True)
     elif p.kind == "text":
-        assert row["number"].strip('"') == value.rstrip("\0 ")
+        assert json.loads(row["number"]) == value.rstrip("\0 ")
     elif row["number"].startswith("0x"):
         assert int(row["number"], 16) == int(value)
         single = {words(m.name) for m in p.type or () if m.value & (m.value - 1) == 0 and m.value & value}
@@ -300,6 +301,15 @@ def test_sets_and_fields_are_named(page: browser.Page) -> None:
     assert found["descriptors[1].descriptor"] == ("0x05", wanted[5])
 
 
+def test_a_field_of_several_sets_is_named_in_its_own(page: browser.Page) -> None:
+    f = model("real").field("gnss_data.dop")
+    assert f is not None
+    for number, name in ((0x81, "gnss_data.dop"), (0x92, "gnss_2.dop")):
+        inspected(page, codec.build(model("real"), number, [(f.descriptor, bytes(f.max_size))]).hex())
+        heading = page.run("document.querySelector('.mip-field h3').textContent")
+        assert heading.endswith(f" (0x{number:02X},0x{f.descriptor:02X}) {name}")
+
+
 def test_a_wrong_checksum(page: browser.Page) -> None:
     (shown,) = inspected(page, "75 65 01 02 02 01 E0 C7")
     assert shown["kind"] == "damaged" and [f["name"] for f in shown["fields"]] == ["base.ping"]
@@ -336,7 +346,7 @@ def test_misprints_are_named(page: browser.Page) -> None:
 def test_the_reading_of_a_device(page: browser.Page) -> None:
     """Of a parameter that every device reads in its own way, and of one that some do."""
     of = model("real")
-    f = next(f for f in of.fields if f.name == "status" and f.set_name == "filter_data")
+    f = next(f for f in of.fields if f.full_name == "filter_data.status")
     packet = codec.build(of, f.set, [(f.descriptor, bytes.fromhex("000400010002"))])
     found = {}
     for device in ("", "3dm-gx5-15", "3dm-cv7-gnss-ins"):

@@ -30,16 +30,15 @@ def test_unit(spec: str) -> None:
     assert int(re.findall(r"^# pass (\d+)", said, re.M)[0]) > 0
 
 
-def test_the_taste_runs() -> None:
-    taste = (GENERATED / "taste.mjs").read_text("utf-8")
-    assert f"```javascript\n{taste}```" in (GENERATED / "README.md").read_text("utf-8")
-    assert node(GENERATED / "taste.mjs") == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
+def test_the_quickstart_runs() -> None:
+    quickstart = (GENERATED / "quickstart.mjs").read_text("utf-8")
+    assert f"```javascript\n{quickstart}```" in (GENERATED / "README.md").read_text("utf-8")
+    assert node(GENERATED / "quickstart.mjs") == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
 @specs
 def test_every_file_is_javascript(spec: str) -> None:
-    folder = SPECS[spec][1] / "javascript"
-    paths = sorted([*folder.rglob("*.mjs"), folder / "mip.js"])
+    paths = sorted((SPECS[spec][1] / "javascript").rglob("*.mjs"))
     assert len(paths) > 5
     for path in paths:
         node("--check", path)
@@ -55,16 +54,14 @@ def test_every_export_is_in_the_readme() -> None:
 
 
 def test_the_package_exports_what_the_readme_names(tmp_path: Path) -> None:
-    """The script for classic pages and the tools, for programs that find files by the name of the package."""
+    """For programs that find modules by the name of the package."""
     package = tmp_path / "node_modules/mip-protocol"
     package.parent.mkdir()
     package.symlink_to(GENERATED)
-    files = ["model.js", "mip.js", "tools/index.mjs", "tools/tools.css", "tools/inspector.html", "package.json"]
-    program = tmp_path / "find.cjs"
-    program.write_text(
-        "for (const name of process.argv.slice(2)) console.log(require.resolve(`mip-protocol/${name}`));", "utf-8"
-    )
-    assert node(program, *files).splitlines() == [str(GENERATED / name) for name in files]
     program = tmp_path / "use.mjs"
-    program.write_text("import { find } from 'mip-protocol/tools/index.mjs'; console.log(typeof find);", "utf-8")
-    assert node(program) == "function\n"
+    program.write_text(
+        "import { Protocol } from 'mip-protocol'; import model from 'mip-protocol/model';"
+        " console.log(new Protocol(model).field('base.ping').title);",
+        "utf-8",
+    )
+    assert node(program) == "Ping\n"

@@ -12,6 +12,7 @@ from typing import Any
 
 Values = dict[str, Any]
 FORMAT = "1"
+NO_SETS = (0, 255)
 
 
 class Wrong(Exception):
@@ -33,6 +34,11 @@ class Reader:
         return self.data[self.at - size : self.at]
 
 
+def name_in(f: Any, number: int) -> str:
+    """The name of a field in a set."""
+    return str(next((o["name"] for o in f.get("occurrences", ()) if o["set"] == number), f["name"]))
+
+
 class Interpreter:
     def __init__(self, document: dict[str, Any]) -> None:
         if document["format"].partition(".")[0] != FORMAT:
@@ -44,14 +50,15 @@ class Interpreter:
         self.acknowledge = self.fields[document["acknowledge"]]
         self.layouts: dict[tuple[int, int], list[Any]] = {}
         for f in document["fields"]:
-            self.layouts.setdefault((f["set"], f["descriptor"]), []).append(f)
+            for place in f.get("occurrences", (f,)):
+                self.layouts.setdefault((place["set"], f["descriptor"]), []).append(f)
 
     # ----------------------------------------------------------------------- packets
 
     def decode(self, packet: bytes) -> dict[str, Any]:
         if packet[:2] != bytes(self.packet["sync"]):
             raise Wrong("sync")
-        if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] == 0:
+        if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] in NO_SETS:
             raise Wrong("length")
         if checksum(packet[:-2]) != packet[-2:]:
             raise Wrong("checksum")
@@ -74,7 +81,7 @@ class Interpreter:
             values, trailing = self.values(f, data)
         except Wrong as error:
             return {"descriptor": descriptor, "error": str(error), "raw": data.hex()}
-        head = {"descriptor": descriptor, "name": f["name"], "role": f["role"]}
+        head = {"descriptor": descriptor, "name": name_in(f, number), "role": f["role"]}
         return {**head, "values": values, "trailing": trailing}
 
     def encode(self, number: int, fields: list[Any]) -> bytes:
@@ -206,7 +213,7 @@ class Interpreter:
     # ----------------------------------------------------------------------- encoding
 
     def data(self, number: int, entry: Any) -> bytes:
-        f = next((f for f in self.candidates(number, entry["descriptor"]) if f["name"] == entry["name"]), None)
+        f = next((f for f in self.candidates(number, entry["descriptor"]) if name_in(f, number) == entry["name"]), None)
         if f is None:
             raise Wrong("unknown")
         values = entry["values"]
@@ -319,7 +326,7 @@ def answer(line: str, known: Interpreter) -> dict[str, Any]:
         request = json.loads(line)
         if request["op"] == "decode":
             return known.decode(bytes.fromhex(request["packet"]))
-        if request["op"] == "encode" and 0 < request["set"] < 255:
+        if request["op"] == "encode" and request["set"] in range(1, 255):
             return {"packet": known.encode(request["set"], request["fields"]).hex()}
     except Wrong as error:
         return {"error": str(error)}

@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft7Validator
-from mipgen import guided, simulated
 from mipgen import model as m
+from mipgen.model import guides, simulation
 from mipgen.targets.json import document
 from support import ROOT, SPECS, model
 
@@ -28,15 +28,17 @@ DEFINITIONS: dict[type, str] = {
     m.Function: "function", m.Word: "word", m.Manual: "manual", m.Chapter: "chapter", m.Usage: "usage", m.Enum: "enum",
     m.Bitfield: "bitfield", m.Vector: "vector", m.Struct: "struct", m.Parameter: "parameter", m.Variant: "variant",
     m.Condition: "condition", m.Field: "field", m.Set: "set", m.Device: "device", m.Example: "example",
-    m.Erratum: "erratum", simulated.Simulation: "simulation", m.Source: "source",
-    guided.Guide: "guide", guided.Sequence: "guide_sequence", guided.Step: "guide_step", guided.Stream: "guide_data",
-    guided.Shown: "guide_field", guided.Migration: "guide_migration", guided.Change: "guide_change",
+    m.Erratum: "erratum", simulation.Simulation: "simulation", m.Source: "source",
+    guides.Guide: "guide", guides.Sequence: "guide_sequence", guides.Step: "guide_step", guides.Stream: "guide_data",
+    guides.Shown: "guide_field", guides.Migration: "guide_migration", guides.Change: "guide_change",
 }  # fmt: skip
 
 #: What an object has in another form than as an attribute of the model.
 ADDED = {
-    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "typical", "constants"}, "enum": {"symbols"},
+    "parameter": {"type", "cases"}, "enum": {"symbols"},
+    "field": {"set", "occurrences", "symbols", "calls", "typical", "constants"},
     "bitfield": {"symbols"}, "struct": {"symbols"}, "variant": {"only"},
+    "set": {"types", "fields", "named"},
 }  # fmt: skip
 
 
@@ -139,11 +141,12 @@ def objects(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str,
 @specs
 def test_every_name_leads_somewhere(spec: str) -> None:
     d = whole(spec)
-    fields, types = {f["name"] for f in d["fields"]}, {t["name"] for t in d["types"]}
+    places = {o["name"] for f in d["fields"] for o in f.get("occurrences", ())}
+    fields, types = {f["name"] for f in d["fields"]} | places, {t["name"] for t in d["types"]}
     scalars, functions = set(d["scalars"]), {f["name"] for f in d["functions"]}
     known = {
         "type": types | scalars, "scalar": scalars, "struct": types, "tag_type": types, "enum": types, "vector": types,
-        "field": fields, "definition": fields, "acknowledge": fields, "ack_code": types, "function_selector": types,
+        "field": fields, "acknowledge": fields, "ack_code": types, "function_selector": types,
         "manual": {x["id"] for x in d["manuals"]}, "device": {x["id"] for x in d["devices"]},
         "like": {x["id"] for x in d["devices"]}, "set": {s["name"] for s in d["sets"]}, "function": functions,
         "frame": {x["symbol"] for x in d["frames"]},
@@ -225,3 +228,9 @@ def test_symbols_are_those_of_the_bindings() -> None:
             assert name in rust[home], names
     finally:
         sys.path.remove(str(generated / "python"))
+
+
+def test_what_a_device_deprecates() -> None:
+    supports = {d["id"]: {s["field"]: s for s in d["supports"]} for d in whole("invented")["devices"]}
+    assert supports["model-c"]["tools.capture_bias"]["deprecated"] == "use `tools.bias` instead"
+    assert not any(s.get("deprecated") for s in supports["model-a"].values())

@@ -15,19 +15,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from awkward import COMMANDS
 from conformance.test_conformance import mutated, random_packets, samples
+from difficult_sets import COMMANDS
 from kaitaistruct import BytesIO, KaitaiStream
 from ksy_driver import COMPILED, built, compiled, file, ksy
-from mipgen import cli, codec
+from mipgen import cli
 from mipgen import model as m
-from mipgen.resolve import load_model
+from mipgen.lower import codec
+from mipgen.resolve.load import load_model
 from mipgen.targets import kaitai
 from mipgen.targets.kaitai.names import joined, member, type_name
+from spec_defaults import filled
 from support import ROOT, SPECS, all_fields, decode_request, differences, expected, expected_parse, heavy, model, set_of
-from terse import filled
 
-pytestmark = heavy(kaitai.NEEDS)
+pytestmark = heavy(kaitai.TARGET.needs)
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 languages = pytest.mark.parametrize("language", COMPILED)
@@ -54,7 +55,9 @@ def test_examples(language: str, spec: str) -> None:
 @specs
 def test_every_field(language: str, spec: str) -> None:
     answers = compare(language, spec, [bytes.fromhex(p) for p in random_packets(spec)])
-    assert {f["name"] for a in answers for f in a["fields"]} == {f.full_name for f in all_fields(model(spec))}
+    assert {f["name"] for a in answers for f in a["fields"]} == {
+        f.name_in(set_of(f, model(spec))) for f in all_fields(model(spec))
+    }
 
 
 @languages

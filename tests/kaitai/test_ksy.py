@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 from ksy_driver import Tree, file, ksy
-from mipgen import cli, describe
+from mipgen import cli
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.targets import kaitai
 from mipgen.targets.kaitai.names import member, type_name, value
+from spec_defaults import filled
 from support import SPECS, all_fields, model
-from terse import filled
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 BUILT_IN = re.compile(r"[us][1248]|f[48]|b\d+|str")
@@ -31,21 +32,20 @@ def types(tree: Tree, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, .
 def test_every_descriptor_is_a_kind_with_a_type(spec: str) -> None:
     of, tree = model(spec), ksy(file(spec))
     kinds = tree["enums"]["kind"]
-    assert set(kinds) == {f.set << 8 | f.descriptor for f in all_fields(of)}
+    assert set(kinds) == {o.set << 8 | f.descriptor for f in all_fields(of) for o in f.occurrences}
     homes = tree["types"]["field"]["instances"]["data"]["type"]["cases"]
     assert set(homes) == {f"kind::{k['id']}" for k in kinds.values()}
-    for f in all_fields(of):
-        kind = kinds[f.set << 8 | f.descriptor]
-        layouts = of.layouts(f)
-        assert kind["-role"] == f.role and kind["-orig-id"] == layouts[0].full_name
+    for f, o in ((x, o) for x in all_fields(of) for o in x.occurrences):
+        kind = kinds[o.set << 8 | f.descriptor]
+        layouts = of.layouts(f) if len(f.occurrences) == 1 else (f,)
+        assert kind["-role"] == f.role and kind["-orig-id"] == layouts[0].name_in(o.set)
         home = tree["types"][homes[f"kind::{kind['id']}"]]
         if len(layouts) > 1:
             chosen = home["seq"][0]["type"]["cases"]
             assert [tree["types"][t]["-orig-id"] for t in chosen.values()] == [g.full_name for g in layouts]
         else:
-            assert home["-orig-id"] == of.original(f).full_name
-    own = sum(f.definition is None for f in all_fields(of))
-    assert sum("-orig-id" in t for _, t in types(tree)) == own
+            assert home["-orig-id"] == f.full_name
+    assert sum("-orig-id" in t for _, t in types(tree)) == len(all_fields(of))
 
 
 @specs
@@ -85,7 +85,7 @@ def test_what_readers_are_told(spec: str) -> None:
 
     told_of = 0
     holders = [t for t in of.all_types if isinstance(t, m.Struct)]
-    for record in (*holders, *(f for f in all_fields(of) if f.definition is None)):
+    for record in (*holders, *all_fields(of)):
         t = tree["types"][type_name(record)]
         assert told(record.description) in t["doc"]
         assert not isinstance(record, m.Field) or t["doc"].startswith(record.title)
@@ -139,10 +139,9 @@ def test_descriptors_of_a_set_go_before_shared_ones() -> None:
     of = model("invented")
     expression = kaitai.kind(of)
     assert "set == " not in expression
-    shared = of.set(m.SHARED_SET)
-    assert shared is not None
-    other = next(f for f in of.fields if 0x80 <= f.set < m.SHARED_SET)
-    moved = dataclasses.replace(other, descriptor=shared.fields[0].descriptor)
-    sets = tuple(dataclasses.replace(s, fields=(*s.fields, moved)) if s.number == other.set else s for s in of.sets)
-    expression = kaitai.kind(dataclasses.replace(of, sets=sets))
+    shared = next(f for f in of.fields if f.everywhere)
+    other = next(f for f in of.fields if f.role == m.DATA and not f.everywhere)
+    moved = dataclasses.replace(other, descriptor=shared.descriptor)
+    families = [dataclasses.replace(x, fields=(*x.fields, moved)) if x.name == other.family else x for x in of.families]
+    expression = kaitai.kind(dataclasses.replace(of, families=tuple(families)))
     assert f"not (set == {other.set:#04x} and descriptor == {moved.descriptor:#04x})" in expression

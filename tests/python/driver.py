@@ -29,7 +29,7 @@ from mip_protocol import (
 )
 from mip_protocol.codec import single_from_bits, single_to_bits
 from mip_protocol.field import Structure, chosen
-from mip_protocol.reflection import PARAMETERS, Parameter
+from mip_protocol.reflection import Parameter, info
 from port import Port
 
 
@@ -97,7 +97,7 @@ def decoded(raw: RawField) -> dict[str, Any]:
 
 
 def with_values(raw: RawField, value: Any, trailing: int) -> dict[str, Any]:
-    shown: dict[str, Any] = {"descriptor": raw.descriptor, "name": value.NAME, "role": value.ROLE}
+    shown: dict[str, Any] = {"descriptor": raw.descriptor, "name": value.name_in(raw.set), "role": value.ROLE}
     return shown | {"values": record(value), "trailing": trailing}
 
 
@@ -107,7 +107,7 @@ def broken(raw: RawField, error: Any) -> dict[str, Any]:
 
 def record(value: Structure) -> dict[str, Any]:
     found: dict[str, Any] = {}
-    for p in PARAMETERS[type(value)]:
+    for p in info(type(value)).parameters:
         if p.kind == "constant":
             continue
         if p.kind == "counter":
@@ -132,7 +132,7 @@ def present(value: Structure, p: Parameter) -> bool:
     required = getattr(value, "REQUIRED", None)
     if required is None:
         return True
-    number = [q.name for q in PARAMETERS[type(value)]].index(p.name)
+    number = [q.name for q in info(type(value)).parameters].index(p.name)
     return bool(required.get(value.function, 0) >= number)  # type: ignore[attr-defined]
 
 
@@ -174,7 +174,7 @@ def encode(request: dict[str, Any]) -> dict[str, Any]:
             builder.add(field["descriptor"], bytes.fromhex(field["raw"]))
             continue
         kinds = registry.types(request["set"], field["descriptor"])
-        kind = next((k for k in kinds if field["name"] == k.NAME), None)
+        kind = next((k for k in kinds if field["name"] == k.name_in(request["set"])), None)
         if kind is None:
             raise EncodeError("unknown", field["name"])
         builder.add(field["descriptor"], built(kind, field["values"]).encode())
@@ -182,7 +182,7 @@ def encode(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def built(kind: Any, values: dict[str, Any]) -> Any:
-    parameters = PARAMETERS[kind]
+    parameters = info(kind).parameters
     known = {p.name for p in parameters if p.kind != "constant"}
     if not known >= values.keys():
         raise EncodeError("unknown", str(values.keys() - known))

@@ -13,12 +13,12 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from mipgen import output, render
-from mipgen.resolve import load_model
+from mipgen.emit import output, render
+from mipgen.resolve.load import load_model
 from mipgen.targets.python import members, names
 from packages import REAL, Package, mip, real
+from spec_defaults import filled
 from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as
-from terse import filled
 
 
 def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
@@ -38,13 +38,12 @@ def user(folder: Path, code: str, python: str = sys.executable, **environment: s
 def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> None:
     package, of = (mip if spec == "invented" else real), model(spec)
     types = package.registry.all_types()
-    assert len(types) == len(all_fields(of))
+    assert len(types) == sum(len(f.occurrences) for f in all_fields(of))
     for number, kind in types:
-        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if names.class_name(f) == kind.__name__] or [None]
-        if field is None:
-            assert of.protocol.acknowledge.full_name == kind.NAME
-            continue
-        assert (field.set, field.full_name) == (kind.SET, kind.NAME)
+        field = of.field(kind.NAME)
+        assert field is not None and names.class_name(field) == kind.__name__
+        assert tuple(kind.SETS) == tuple(field.sets) and kind.name_in(number) == field.name_in(number)
+        assert getattr(kind, "SET", None) == (field.set if len(field.occurrences) == 1 else None)
         assert field.role == kind.ROLE
         assert kind.__doc__ and field.title in kind.__doc__
         if field.role == m.COMMAND:
@@ -57,7 +56,7 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_every_value_and_bit_has_its_name(spec: str) -> None:
     package, of = (mip if spec == "invented" else real), model(spec)
-    for owner, types in [("types", of.types), *((names.module(s.name), s.types) for s in of.sets)]:
+    for owner, types in [("types", of.types), *((names.module(x.name), x.types) for x in of.families)]:
         for t in types:
             kind = getattr(getattr(package, owner), names.class_name(t))
             if isinstance(t, m.Enum):
@@ -245,58 +244,21 @@ def test_meaning_depends_on_a_sibling_or_the_device() -> None:
 
 
 def test_repeated_fields_belong_to_their_own_set() -> None:
-    """Two receivers send the same fields; neither is taken for the other."""
-    one, two = real.gnss_1.FixInfo, real.gnss_2.FixInfo
-    sent = two(*[0] * 4)
-    packet = sent.packet()
-    assert packet.set == 0x92 and two.find(packet) == sent and one.find(packet) is None
-    assert type(real.registry.decode(next(iter(packet)))) is two and issubclass(two, one)
-    assert real.reflection.PARAMETERS[two] is real.reflection.PARAMETERS[one]
-
-
-VARIED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
-set: 0x9A
-name: varied
-title: Varied
-description: A number that one device reads in its own way.
-fields:
-  - data: 0x01
-    name: state
-    title: State
-    description: Of the device.
-    sources: [{manual: guide, section: Ping}]
-    parameters: [{name: code, type: u8, description: A number.}]
-"""
-REPEATED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
-set: 0x9B
-name: again
-title: Again
-description: The same of a second sensor, where it is the other device.
-repeats: {of: varied, fields: [{name: state, sources: [{manual: guide, section: Ping}]}]}
-"""
-
-
-def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
-    """What a device says of a field does not hold for the fields of other sets that repeat it."""
-    spec, out = tmp_path / "spec", tmp_path / "python"
-    shutil.copytree(SPECS["invented"][0], spec)
-    (spec / "sets/varied.yaml").write_text(VARIED, "utf-8")
-    (spec / "sets/again.yaml").write_text(REPEATED, "utf-8")
-    for device, name in (("model_a", "varied"), ("model_b", "again")):
-        file = spec / f"devices/{device}.yaml"
-        text = file.read_text("utf-8").replace("supports:\n", f"supports:\n  {name}: [state]\n")
-        text = text.replace("base_rates: {", f"base_rates: {{{name}: 1, ")
-        case = f"{name}.state.code: {{type: mode}}"
-        text = text.replace("varies: {", f"varies: {{{case}, ").replace("varies:\n", f"varies:\n  {case}\n")
-        file.write_text(text, "utf-8")
-    output.write(render.render("python", load_model(spec)), out)
-    it = Package(out, "varied_mip")
-    first, second = it.varied.State(1), it.again.State(1)
-    assert isinstance(second, it.varied.State) and second.code == 1
-    assert first.meaning("code", "model-a") is it.types.Mode.FAST and first.meaning("code", "model-b") == 1
-    assert second.meaning("code", "model-b") is it.types.Mode.FAST and type(second.meaning("code", "model-a")) is int
-    assert "On the Model A and Model C: values of `types.Mode`." in (out / "mip_protocol/varied.py").read_text("utf-8")
-    assert "On the Model B: values of `types.Mode`." in (out / "mip_protocol/again.py").read_text("utf-8")
+    """Two receivers send the same fields; what is decoded knows its set, and no set is assumed."""
+    kind = real.gnss_data.FixInfo
+    sent = kind(*[0] * 4)
+    with pytest.raises(real.errors.EncodeError, match=r"set: .*packet\(set\)"):
+        sent.packet()
+    with pytest.raises(real.errors.EncodeError, match="does not occur in packets of the set 0x80"):
+        sent.packet(0x80)
+    for number in kind.SETS:
+        packet = sent.packet(number)
+        got = kind.find(packet)
+        assert packet.set == number and got == sent and got.packet_set == number
+        assert real.registry.decode(next(iter(packet))).packet_set == number
+        assert got.packet() == packet
+    assert kind.find(real.packet.PacketBuilder(0x80).add(kind.DESCRIPTOR, sent.encode()).build()) is None
+    assert not hasattr(kind, "SET") and real.registry.by_name("gnss_2.fix_info") is kind
 
 
 # --------------------------------------------------------------------------- core
@@ -396,6 +358,18 @@ def test_client_decodes_the_layout_that_the_constants_tell() -> None:
     client.send(mip.tools.Status(2), now=0.0)
     (event,) = client.receive(reply("f1 04 00", "90 1267 02 00000001 0000000000000009"), now=0.1)
     assert isinstance(event.response, mip.tools.StatusLong) and event.response.uptime == 9
+
+
+def test_client_leaves_what_has_another_constant(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is another layout of the descriptor, and so no answer, even if nothing else tells the layouts apart."""
+    for kind in (mip.tools.StatusShort, mip.tools.StatusLong, mip.tools.StatusOld, mip.tools.StatusFull):
+        monkeypatch.setattr(kind, "matches", classmethod(lambda cls, data: True))
+    client, status = mip.top.Client(), mip.tools.Status(2)
+    client.send(status, now=0.0)
+    (event,) = client.receive(reply("f1 04 00", "90 1268 02 00000001 0000000000000009"), now=0.1)
+    assert type(event).__name__ == "Received" and client.pending == (status,)
+    (event,) = client.receive(reply("f1 04 00", "90 1267 02 00000001 0000000000000009"), now=0.2)
+    assert event.accepted and event.response.uptime == 9 and client.pending == ()
 
 
 def test_client_survives_a_reply_that_cannot_be_decoded() -> None:
@@ -515,8 +489,8 @@ def test_devices(spec: str) -> None:
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
     for d in of.devices:
         device = package.devices.DEVICES[d.id]
-        keys = {(s.field.set, s.field.descriptor): s for s in d.supports}
-        sure = {(s.field.set, s.field.descriptor) for s in d.certain}
+        keys = {(s.set, s.field.descriptor): s for s in d.supports}
+        sure = {(s.set, s.field.descriptor) for s in d.certain}
         assert device.fields == sure and device.incomplete == d.incomplete
         assert device.perhaps == {key: s.evidence for key, s in keys.items() if s.evidence}
         assert all(device.may_support(*key) and device.supports(*key) == (key in sure) for key in keys)
@@ -568,12 +542,10 @@ def test_identify() -> None:
 def test_reflection(spec: str) -> None:
     """The tables for tools say what the specification says."""
     package, of = (mip if spec == "invented" else real), model(spec)
-    table = package.reflection.PARAMETERS
     records = [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
-    assert len(table) == len(records)
     for record in records:
         kind = getattr(getattr(package, names.home(record)), names.class_name(record))
-        for p, row in zip(record.parameters, table[kind], strict=True):
+        for p, row in zip(record.parameters, package.reflection.info(kind).parameters, strict=True):
             check_reflection(package, p, row)
 
 
@@ -656,7 +628,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
         assert done.returncode == 0, done.stdout.decode()
     assert_strict(out)
-    it = Package(out, "awkward_mip").awkward
+    it = Package(out / "mip_protocol", "awkward_mip").awkward
     whole = bytes.fromhex("01 02 00010002 00030004 0100")
     assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
     assert all(type(b) is bool for b in it.Halves.decode(whole).bools)
@@ -691,7 +663,7 @@ def test_examples_built_by_hand(spec: str) -> None:
     lines = ["from mip_protocol import *", "from mip_protocol import types, protocol, registry",
              "from mip_protocol.codec import single_from_bits as f32", "import struct",
              "f64 = lambda n: struct.unpack('>d', n.to_bytes(8, 'big'))[0]"]  # fmt: skip
-    lines += [f"from mip_protocol import {names.module(s.name)}" for s in of.sets]
+    lines += [f"from mip_protocol import {names.module(x.name)}" for x in of.families]
     count = 0
     for e in of.examples:
         lines.append(f"b = PacketBuilder({e.set})")
@@ -727,8 +699,7 @@ def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
 def _home(f: m.Field) -> str:
     if f.set == 0:
         return names.class_name(f)
-    owner = f.definition.partition(".")[0] if f.definition else f.set_name
-    return f"{names.module(owner)}.{names.class_name(f)}"
+    return f"{names.module(f.family)}.{names.class_name(f)}"
 
 
 def literal(p: m.Parameter, value: Any, siblings: dict[str, Any]) -> str:
@@ -789,8 +760,8 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     shutil.rmtree(package)
     version = model("real").protocol.version
     assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
-    taste = (REAL / "taste.py").read_text("utf-8")
-    assert user(site, taste).splitlines()[0].startswith("75 65 01 02")
+    quickstart = (REAL / "quickstart.py").read_text("utf-8")
+    assert user(site, quickstart).splitlines()[0].startswith("75 65 01 02")
     (metadata,) = site.glob("*.dist-info/METADATA")
     said = metadata.read_text("utf-8").partition("\n\n")[0].splitlines()
     assert {f"Version: {version}", "License-Expression: MIT", "License-File: LICENSE"} <= set(said)
@@ -802,7 +773,7 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_runtime_is_ordinary_source(spec: str) -> None:
     """It is in the package as it is: neither rendered nor reformatted."""
-    runtime = ROOT / "templates/python/runtime"
+    runtime = ROOT / "runtime/python"
     found = [p.relative_to(runtime) for p in runtime.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
     assert len(found) > 10
     for path in found:
@@ -829,7 +800,7 @@ def test_readme_warns_of_modules_that_hide_names_of_python() -> None:
 
 
 def test_readme_shows_the_program_that_is_run() -> None:
-    code = (REAL / "taste.py").read_text("utf-8").partition('"""\n\n')[2].rstrip()
+    code = (REAL / "quickstart.py").read_text("utf-8").partition('"""\n\n')[2].rstrip()
     assert code in (REAL / "README.md").read_text("utf-8")
 
 

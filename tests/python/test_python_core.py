@@ -305,7 +305,7 @@ def test_a_raw_field_says_why() -> None:
 def test_shared_fields_know_the_set_they_came_from() -> None:
     time = real.shared.ReferenceTimestamp(5)
     assert time.packet_set is None and real.sensor.ScaledAccel((0, 0, 0)).packet_set == 0x80
-    with pytest.raises(real.errors.EncodeError, match=r"set: shared.* PacketBuilder\(set\)"):
+    with pytest.raises(real.errors.EncodeError, match=r"set: shared.* packet\(set\)"):
         time.packet()
     for set in (0x80, 0x82, 0xA0):
         p = real.packet.PacketBuilder(set).add(time.DESCRIPTOR, time.encode()).build()

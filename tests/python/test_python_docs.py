@@ -10,8 +10,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from mipgen import describe
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.targets.python import docs, members, names
 from support import SPECS, all_fields, model
 
@@ -51,7 +51,7 @@ def _attributes(owner: str, body: list[ast.stmt]) -> Iterator[tuple[str, str]]:
 def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
     """Module, name in it, and a text that must be there."""
     for f in all_fields(of):
-        yield from _about(f, [f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X}).", *_prose(f.description, f, of)])
+        yield from _about(f, [f"{f.title} ({docs.descriptors(f)}).", *_prose(f.description, f, of)])
         yield from _about(f, _sentences(describe.field(f, of), f))
         yield from _about(f, describe.sources(f))
         yield from _parameters(f, of)
@@ -78,8 +78,6 @@ def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
 def _parameters(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, str, str]]:
     for p in record.parameters:
         holder = record
-        if isinstance(record, m.Field) and p in of.original(record).parameters:
-            holder = of.original(record)
         for q in (p, *(c.parameter for c in p.cases if c.parameter)):
             said = [*_prose(q.description, holder, of), *_sentences(describe.parameter(q, holder, of), holder)]
             yield from _about(holder, said, f"#{p.name}" if p.derived else f".{p.name}")
@@ -128,7 +126,7 @@ def test_every_device_is_documented(spec: str) -> None:
 
 def test_references_are_names_of_python() -> None:
     package = SPECS["invented"][1] / "python/mip_protocol"
-    tools, more = documentation(package / "tools.py"), documentation(package / "more.py")
+    tools, sensors = documentation(package / "tools.py"), documentation(package / "measurements.py")
     assert tools["SetTimeSlowResponse"] == (
         "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A "
         "and Model C. - guide: Set time"
@@ -142,8 +140,8 @@ def test_references_are_names_of_python() -> None:
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
         "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."
     )
-    assert more["Accel.scaled_accel"].endswith("z: `types.StateFlags.READY` of `valid_flags`.")
-    assert "Has the layout of `measurements.Accel`." in more["Accel"]
+    assert "z: `types.StateFlags.HOT` of `valid_flags`. " in sensors["Accel.scaled_accel"]
+    assert "Occurs in measurements (0x80), more (0x81) and copy (0x92)." in sensors["Accel"]
 
 
 def test_prose_names_fields_and_types() -> None:
@@ -155,8 +153,8 @@ def test_prose_names_fields_and_types() -> None:
 
 def test_the_text_of_a_set() -> None:
     of = model("invented")
-    s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
-    assert ast.literal_eval(docs.of_set(s, of)) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
+    x = replace(of.families[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
+    assert ast.literal_eval(docs.of_family(x, of)) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
 
 
 def test_layout_of_docstrings() -> None:
@@ -175,7 +173,6 @@ def test_every_member_says_something(spec: str) -> None:
     """No parameter of the specification is without a text, so every attribute has a docstring."""
     package = SPECS[spec][1] / "python/mip_protocol"
     for f in all_fields(model(spec)):
-        if f.definition is None:
-            found = documentation(package / f"{names.home(f)}.py")
-            for p in members.members(f):
-                assert found[f"{names.class_name(f)}.{names.member(p.name)}"], f"{f.full_name}.{p.name}"
+        found = documentation(package / f"{names.home(f)}.py")
+        for p in members.members(f):
+            assert found[f"{names.class_name(f)}.{names.member(p.name)}"], f"{f.full_name}.{p.name}"

@@ -17,8 +17,16 @@ def table(heading: str) -> list[list[str]]:
 
 
 def test_modules() -> None:
-    there = {p.stem for p in GENERATOR.glob("*.py") if not p.stem.startswith("__")} | {"targets/<name>"}
-    named = [name for row in table("Who knows what") for name in re.findall(r"`(.*?)`", row[0])]
+    rooms = {p.name for p in GENERATOR.iterdir() if (p / "__init__.py").exists()}
+    there = {
+        str(p.relative_to(GENERATOR).with_suffix(""))
+        for room in rooms - {"targets"}
+        for p in (GENERATOR / room).glob("*.py")
+    }
+    there = {name for name in there if not name.endswith("/__init__")} | {"targets/<name>"}
+    named = [
+        f"{row[0].strip('`')}/{name}" for row in table("Who knows what") for name in re.findall(r"`(.*?)`", row[1])
+    ]
     assert sorted(named) == sorted(there)
 
 

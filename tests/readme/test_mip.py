@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from support import ROOT
+from support import PYTHONPATH, ROOT
 
 PAGE = (ROOT / "docs/mip.md").read_text("utf-8")
 
@@ -27,19 +27,16 @@ def commands(title: str) -> list[str]:
 
 
 def shell(command: str, folder: Path) -> str:
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
-    words = re.sub(r"(^|\| )mip ", rf"\1{shlex.quote(sys.executable)} -m mip_protocol ", command)
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    words = re.sub(r"(^|\| )mip ", rf"\1{shlex.quote(sys.executable)} -m mip_tools ", command)
     done = subprocess.run(["sh", "-c", words], cwd=folder, env=environment, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, ""), command
     return done.stdout
 
 
 def test_every_command_is_named() -> None:
-    sys.path.insert(0, str(ROOT / "generated/python"))
-    try:
-        from mip_protocol.__main__ import COMMANDS, EPILOG
-    finally:
-        sys.path.pop(0)
+    from mip_tools.__main__ import COMMANDS, EPILOG
+
     assert re.findall(r"^\| `([a-z]+)` \|", PAGE, re.M) == list(COMMANDS)
     said = re.findall(r"\b(\d+)(?= [a-z])", EPILOG.partition("exit status:")[2])
     assert re.findall(r"^\| (\d+) \|", section("Exit status"), re.M) == said
@@ -56,8 +53,8 @@ def test_from_a_device_to_a_table(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         other = str(free.getsockname()[1])
     words = shlex.split(first.replace(port, other).rstrip("& "))[1:]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
-    device = subprocess.Popen([sys.executable, "-m", "mip_protocol", *words], env=environment, stdout=subprocess.PIPE)
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    device = subprocess.Popen([sys.executable, "-m", "mip_tools", *words], env=environment, stdout=subprocess.PIPE)
     try:
         assert device.stdout is not None and device.stdout.readline()
         printed = {command: shell(command.replace(port, other), tmp_path) for command in others}

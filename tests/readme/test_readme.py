@@ -36,31 +36,31 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def test_c(tmp_path: Path) -> None:
-    source = (ROOT / "generated/c/taste.c").read_text("utf-8")
+    source = (ROOT / "generated/c/quickstart.c").read_text("utf-8")
     assert source.partition("*/\n")[2].rstrip() == block("c").rstrip()
     sources = sorted((ROOT / "generated/c/src/mip").glob("*.c"))
     run(
         need("cc"),
         "-std=c99",
         f"-I{ROOT}/generated/c/src",
-        ROOT / "generated/c/taste.c",
+        ROOT / "generated/c/quickstart.c",
         *sources,
         "-o",
-        tmp_path / "taste",
+        tmp_path / "quickstart",
     )
-    assert run(tmp_path / "taste") == "8 bytes to send\n0.2445 g along x\n"
+    assert run(tmp_path / "quickstart") == "8 bytes to send\n0.2445 g along x\n"
 
 
 def test_python() -> None:
-    source = (ROOT / "generated/python/taste.py").read_text("utf-8")
+    source = (ROOT / "generated/python/quickstart.py").read_text("utf-8")
     assert source.partition('"""\n\n')[2] == block("python")
-    printed = run(sys.executable, ROOT / "generated/python/taste.py", PYTHONDONTWRITEBYTECODE="1")
+    printed = run(sys.executable, ROOT / "generated/python/quickstart.py", PYTHONDONTWRITEBYTECODE="1")
     assert printed == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
 @crates.group
 def test_rust() -> None:
-    source = (ROOT / "generated/rust/examples/taste.rs").read_text("utf-8")
+    source = (ROOT / "generated/rust/examples/quickstart.rs").read_text("utf-8")
     assert source == block("rust")
     target = '[[bin]]\nname = "readme"\npath = "readme.rs"\ntest = false\n'
     folder = crates.project("real", "readme", target, files={"readme.rs": source.encode()})

@@ -14,10 +14,9 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from support import ROOT, need
+from support import PYTHONPATH, ROOT, need
 
 PAGE = (ROOT / "docs/simulate.md").read_text("utf-8")
-PACKAGE = str(ROOT / "generated/python")
 PATIENCE = 60
 
 
@@ -47,14 +46,14 @@ def shell(tmp_path: Path) -> Iterator[dict[str, str]]:
     """An environment with `mip`, `python` and `cc`; a folder that has what the page names."""
     tools = tmp_path / "bin"
     tools.mkdir()
-    for name, words in (("mip", [sys.executable, "-m", "mip_protocol"]), ("python", [sys.executable])):
+    for name, words in (("mip", [sys.executable, "-m", "mip_tools"]), ("python", [sys.executable])):
         (tools / name).write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
         (tools / name).chmod(0o755)
     (tools / "cc").symlink_to(need("cc"))
-    for name in ("docs", "generated"):
+    for name in ("docs", "generated", "tools"):
         (tmp_path / name).symlink_to(ROOT / name)
     yield {
-        **os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": PACKAGE, "PYTHONDONTWRITEBYTECODE": "1",
+        **os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1",
     }  # fmt: skip
 
 
@@ -156,7 +155,7 @@ def test_the_first_command(tmp_path: Path, shell: dict[str, str]) -> None:
 
 
 def python(code: str) -> str:
-    environment = {"PYTHONPATH": PACKAGE, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {"PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -169,7 +168,7 @@ def test_in_python() -> None:
 
 def test_every_fault_and_option_is_named() -> None:
     code = (
-        "from mip_protocol.simulator.fault_kinds import CHANCES, KINDS\n"
+        "from mip_tools.simulator.fault_kinds import CHANCES, KINDS\n"
         "for chance, text in CHANCES.items():\n"
         "    print(f'| | **for each {text}** | |')\n"
         "    for name, k in KINDS.items():\n"
@@ -178,7 +177,7 @@ def test_every_fault_and_option_is_named() -> None:
     )
     rows = section("Faults").partition("|---|---|---|\n")[2].partition("\n\n")[0]
     assert rows == python(code).rstrip()
-    text = python("from mip_protocol import __main__ as m; m.main(['simulate', '--help'])")
+    text = python("from mip_tools import __main__ as m; m.main(['simulate', '--help'])")
     known = set(re.findall(r"^  (--[a-z-]+)", text, re.M))
     named = set(re.findall(r"(--[a-z-]+)", re.sub(r"```.*?```", "", PAGE, flags=re.S)))
     assert "--pty" in known and named - {"--help", "---"} == known
@@ -186,7 +185,7 @@ def test_every_fault_and_option_is_named() -> None:
 
 def test_every_motion_is_named() -> None:
     code = (
-        "from mip_protocol.simulator.motion import MOTIONS\n"
+        "from mip_tools.simulator.motion import MOTIONS\n"
         "for name, (_, options) in MOTIONS.items():\n"
         "    print(f'| `{name}` |', ', '.join(f'`{o}`' for o in options), '|')"
     )

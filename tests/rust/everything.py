@@ -12,8 +12,8 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from conformance.client_model import wanted_responses
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Constructor, Records
 from support import sent
@@ -23,7 +23,10 @@ HEAD = """//! Made by everything.py.
 #![allow(deprecated, unused_imports)]
 
 use mip_protocol::registry::{FieldInfo, Listed, ParameterInfo};
-use mip_protocol::{devices, Bool, Command, DecodeErrorKind, Field, List, ResponseOf, Text, VarText};
+use mip_protocol::{
+    devices, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, Packet, PacketBuilder,
+    RawField, ResponseOf, Text, VarText,
+};
 
 /// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
 fn prefixes<T: Field + PartialEq + std::fmt::Debug>(data: &[u8], expected: &[i16]) {
@@ -55,10 +58,39 @@ fn same<T: Field + PartialEq + std::fmt::Debug>(value: T, data: &[u8]) {
     assert_eq!(T::decode(data), Ok(value), "{}", T::NAME);
 }
 
-fn named<T: Field>(set: u8, descriptor: u8, name: &str, sets: &[u8]) {
-    assert_eq!((T::SET, T::DESCRIPTOR, T::NAME), (set, descriptor, name));
-    let found: Vec<u8> = (0..=255).filter(|set| T::in_set(*set)).collect();
-    assert_eq!(found, sets, "{name}");
+/// These data are the field in these sets, each with its name, and in no other.
+fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8]) {
+    assert_eq!((T::DESCRIPTOR, T::NAME), (descriptor, name));
+    assert!(T::SETS.iter().eq(sets.iter().map(|(set, _)| set)), "{name}");
+    assert_eq!((T::INFO.sets, T::INFO.descriptor, T::INFO.name), (T::SETS, descriptor, name));
+    for (_, its_name) in sets {
+        assert_eq!(FieldInfo::by_name(its_name), Some(&T::INFO));
+    }
+    let value = T::decode(data).unwrap();
+    for set in 0..=255 {
+        let its_name = sets.iter().find(|(number, _)| *number == set).map(|(_, its_name)| *its_name);
+        assert_eq!((T::occurs_in(set), T::INFO.name_in(set)), (its_name.is_some(), its_name));
+        let mut builder = PacketBuilder::new(set);
+        let pushed = builder.push(&value).map_err(|error| (error.kind, error.got));
+        let field = RawField { set, descriptor, data };
+        let any = AnyField::decode(&field);
+        let Some(its_name) = its_name else {
+            assert_eq!(pushed, Err((EncodeErrorKind::Set, set.into())), "{name} in {set}");
+            assert_eq!(field.get::<T>(), None);
+            assert!(!matches!(any, Some(Ok(found)) if *found.field.info() == T::INFO));
+            continue;
+        };
+        let packet = Packet::new(builder.bytes()).unwrap();
+        assert_eq!((pushed, packet.set()), (Ok(()), set), "{its_name}");
+        assert_eq!(packet.find::<T>(), Some(Ok(value.clone())), "{its_name}");
+        let any = any.unwrap().unwrap();
+        assert_eq!((any.set, any.name()), (set, its_name));
+        assert_eq!(any.field, value.clone().into_any());
+    }
+}
+
+fn only_in<T: OneSet>(set: u8) {
+    assert_eq!((T::SET, T::SETS), (set, &[set][..]));
 }
 
 fn described(all: &[ParameterInfo]) -> String {
@@ -106,7 +138,7 @@ def source(model: m.Model) -> str:
     for t in model.all_types:
         if isinstance(t, m.Bitfield):
             parts.append(test(f"bits_of_{rust.home(t)}_{t.name}", bitfield(t)))
-    for f in (*(f for s in model.sets for f in s.fields), model.protocol.acknowledge):
+    for f in (*model.fields, model.protocol.acknowledge):
         parts.append(test(f"{rust.home(f)}_{f.name}", writer.field(f)))
     for d in model.devices:
         parts.append(test(f"device_{d.name}", writer.device(d)))
@@ -195,10 +227,6 @@ class _Writer:
 
     def field(self, f: m.Field) -> Iterator[str]:
         of = path(f)
-        sets = [f.set]
-        if f.set in (0, 0xFF):
-            sets = list(range(0x01, 0x80)) if f.set == 0 else list(range(0x80, 0x100))
-        yield f'named::<{of}>({f.set}, {f.descriptor}, "{f.full_name}", &{sorted(sets)});'
         yield f"assert_eq!(<{of} as mip_protocol::Wire>::SIZE, {f.max_size});"
         yield f"describes::<{of}>({text(described(f.parameters))});"
         if f.role == m.COMMAND:
@@ -207,6 +235,10 @@ class _Writer:
         literal, values = self.literal(f)
         data = codec.encode(f, values)
         yield f"same({literal}, {data_literal(data)});"
+        sets = ", ".join(f'({n}, "{f.name_in(n)}")' for n in sorted(f.sets))
+        yield f'occurs::<{of}>({f.descriptor}, "{f.full_name}", &[{sets}], {data_literal(data)});'
+        if len(f.sets) == 1:
+            yield f"only_in::<{of}>({f.set});"
         yield f"prefixes::<{of}>({data_literal(data + bytes(3))}, &{self.prefixes(f, data + bytes(3))});"
         if not f.selector:
             yield f"same({of}::default(), {data_literal(codec.encode(f, defaults(f)))});"
@@ -376,10 +408,10 @@ class _Writer:
         for s in d.supports:
             functions = [x.value for x in s.functions]
             supports = "may_support" if s.evidence else "supports"
-            yield f"let field = {of}.{supports}({s.field.set}, {s.field.descriptor}).unwrap();"
+            yield f"let field = {of}.{supports}({s.set}, {s.field.descriptor}).unwrap();"
             evidence = f"Some({text(s.evidence)})" if s.evidence else "None"
             yield f"assert_eq!(field.evidence, {evidence});"
-            yield f'assert_eq!(field.name, "{s.field.full_name}");'
+            yield f'assert_eq!((field.set, field.name), ({s.set}, "{s.name}"));'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
         number = "None" if d.model_number is None else f"Some({d.model_number})"

@@ -77,10 +77,10 @@ pub extern "C" fn _start() -> ! {
         while let Some(packet) = parser.flush() {
             look_into(&packet, &mut client, &mut builder);
         }
-        if let Some(Ok((any, _))) =
+        if let Some(Ok(found)) =
             &AnyField::decode(&RawField { set: 1, descriptor: 1, data: input() })
         {
-            ask(&mut device, any);
+            ask(&mut device, &found.field);
         }
         if let Ok(packet) = Packet::new(input()) {
             look_into(&packet, &mut client, &mut builder);
@@ -106,13 +106,13 @@ fn look_into(packet: &Packet<'_>, client: &mut Client<4>, builder: &mut PacketBu
 }
 
 fn look_at(field: &RawField<'_>, builder: &mut PacketBuilder) {
-    if let Some(Ok((any, trailing))) = AnyField::decode(field) {
+    if let Some(Ok(found)) = AnyField::decode(field) {
         let mut data = [0; 253];
-        if let Ok(length) = any.encode(&mut data) {
+        if let Ok(length) = found.field.encode(&mut data) {
             if let Some(data) = data.get(..length) {
                 let _ = black_box(builder.push_raw(field.descriptor, data));
             }
         }
-        black_box((any.info(), trailing));
+        black_box((found.name(), found.title(), found.left_over));
     }
 }

@@ -17,7 +17,7 @@ import everything
 import pytest
 from crates import WORK, passes, project, rendered, write
 from mipgen import model as m
-from mipgen import output
+from mipgen.emit import output
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
@@ -130,6 +130,9 @@ ACCEL = bytes.fromhex("7565800e0e043e7a63a0bb8e3b297fe5bf7f84ee")
 LOG = b"$GPGGA noise\r\n" + ACCEL
 
 
+EXAMPLES = "the example programs of Rust"
+
+
 @cache
 def crate() -> Path:
     """The crate in a workspace of its own, with the programs' dependencies, pinned in examples/Cargo.lock."""
@@ -178,7 +181,7 @@ def test_the_examples_are_these() -> None:
     for name, needed in target.EXAMPLES.items():
         assert f"`examples/{name}.rs`" in readme, name
         text = (crate() / f"examples/{name}.rs").read_text("utf-8")
-        if name != "taste":
+        if name != "quickstart":
             assert text.startswith("//! ")
         if needed:
             assert f"--example {name} --features {','.join(needed)} " in text, name
@@ -191,6 +194,7 @@ def test_lints_of_examples() -> None:
     passes(crate(), *lint, "--", "-D", "warnings")
 
 
+@heavy(EXAMPLES)
 def test_log_to_csv(log: Path) -> None:
     code, out, error = ran("log_to_csv", log)
     head, row = out.splitlines()
@@ -204,6 +208,7 @@ def test_log_to_csv(log: Path) -> None:
         assert code == 1 and "need: 12, got: 4" in error
 
 
+@heavy(EXAMPLES)
 def test_json(log: Path) -> None:
     log.write_bytes(LOG + packet("75658004" + "04fe0102"))
     code, out, error = ran("json", log)
@@ -215,6 +220,7 @@ def test_json(log: Path) -> None:
     assert "[0.24452066,-0.0043405485,null]" in out  # as short as floats of 32 bits are
 
 
+@heavy(EXAMPLES)
 def test_json_tells_what_is_broken(log: Path) -> None:
     """A field whose data are too short, and one that its packet cuts."""
     log.write_bytes(packet("75658004" + "04040102") + packet("75658006" + "02fe" + "0e040102"))
@@ -239,17 +245,20 @@ def finds_nobody(name: str, argument: object) -> None:
     assert done.returncode == 1 and b"BrokenPipe" in done.stderr and b"panicked" not in done.stderr
 
 
+@heavy(EXAMPLES)
 def test_nobody_reads_the_json(log: Path) -> None:
     log.write_bytes(LOG * 2000)
     finds_nobody("json", log)
 
 
+@heavy(EXAMPLES)
 def test_tokio_codec() -> None:
     """Also in packets that chunks cut, and at the end, in one that is not whole."""
     code, out, error = ran("tokio_codec", given=LOG * 20 + bytes.fromhex("756580ff") + ACCEL)
     assert (code, error) == (0, "") and out == f"Packet({ACCEL.hex()})\n" * 21
 
 
+@heavy(EXAMPLES)
 def test_stream(tmp_path: Path) -> None:
     """At a pseudo-terminal."""
     path = f"{tmp_path}/terminal"
@@ -266,6 +275,7 @@ def test_stream(tmp_path: Path) -> None:
         assert code == 1 and "Refused(AckCode(bad_checksum))" in error
 
 
+@heavy(EXAMPLES)
 def test_setup(tmp_path: Path) -> None:
     """What it has saved is there after the next start."""
     path, storage = f"{tmp_path}/terminal", tmp_path / "storage"
@@ -292,6 +302,7 @@ RATE, STREAM = packet("75650c03" + "030e80"), packet("75650c05" + "0511018001")
 RATE_IS = packet("75650c09" + "04f10e00" + "058e8003e8")
 
 
+@heavy(EXAMPLES)
 def test_firmware() -> None:
     answered = packet("75650c04" + "04f11100")
     code, out, error = ran("firmware", given=b"u" + RATE_IS + answered + LOG)

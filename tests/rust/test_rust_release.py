@@ -38,7 +38,7 @@ def manifest(spec: str) -> dict[str, Any]:
 
 def promised() -> dict[str, str]:
     """Feature -> the oldest Rust, from the table of the README; `none` stands for none, all sets are one row."""
-    text = rendered("invented")["README.md"].decode("utf-8")
+    text = (SPECS["invented"][1] / "rust/README.md").read_text("utf-8")
     table = text.partition("| Feature | Adds | Oldest Rust |\n|---|---|---|\n")[2].partition("\n\n")[0]
     return dict(re.findall(r"^\| `?([\w -]+)`? \| .+ \| ([^|]+) \|$", table, re.MULTILINE))
 
@@ -90,11 +90,11 @@ def checked_with(version: str, folder: Path, *arguments: str) -> None:
 
 
 def test_each_feature_has_an_oldest_compiler() -> None:
-    sets = {names.feature(s) for s in specification("invented").sets}
+    sets = {names.feature(s) for s in specification("invented").families}
     own = manifest("invented")["features"].keys() - sets - {"default"}
     table = promised()
     manifest_text = rendered("invented")["Cargo.toml"].decode("utf-8")
-    assert table.keys() == own | {"none", "one for each descriptor set"}
+    assert table.keys() == own | {"none", "one for each family of descriptor sets"}
     assert table["none"] == OLDEST == manifest("invented")["rust_version"]
     for feature, version in table.items():
         if feature in OTHERS:
@@ -113,7 +113,7 @@ def test_the_oldest_compiler_builds_it(feature: str) -> None:
             checked_with(DEPENDENCIES[feature], folder, "-p", "mip-protocol", "--features", feature)
         return
     own = [] if feature == "none" or " " in feature else [feature]
-    checked_with(promised()[feature], user("awkward", own, default=feature != "none"), "--offline")
+    checked_with(promised()[feature], user("difficult", own, default=feature != "none"), "--offline")
 
 
 @heavy("other Rust compilers")
@@ -136,7 +136,7 @@ def test_an_older_compiler_would_not_do() -> None:
 
 def combinations(spec: str) -> list[str]:
     """Each feature that needs no dependency alone, without and with the sets; and those that people combine."""
-    sets = [names.feature(s) for s in specification(spec).sets]
+    sets = [names.feature(s) for s in specification(spec).families]
     own = [f for f in manifest(spec)["features"] if f not in (*sets, "default", *DEPENDENCIES)]
     return [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
 
@@ -158,7 +158,7 @@ def test_each_combination_of_features_without_std() -> None:
 
 def test_documentation_of_one_set() -> None:
     """Nothing is wrong with it but that its texts name fields of other sets."""
-    name = names.feature(specification("invented").sets[0])
+    name = names.feature(specification("invented").families[0])
     doc = ("doc", "--quiet", "--offline", "--no-deps", "--no-default-features", "--features", name)
     passes(bare("invented"), *doc, RUSTDOCFLAGS="-D warnings")
 

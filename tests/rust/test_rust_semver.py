@@ -16,8 +16,9 @@ from pathlib import Path
 
 import pytest
 from crates import WORK, without_dependencies
-from mipgen import output, render, revisions
-from mipgen.resolve import load_model
+from mipgen.compare import revisions
+from mipgen.emit import output, render
+from mipgen.resolve.load import load_model
 from support import BUILD, ROOT, SPECS, heavy, locked, need
 
 pytestmark = heavy("cargo-semver-checks")
@@ -49,13 +50,13 @@ incomplete: [Its acknowledge codes are not known.]
 """
 
 OWN = "parameters: [{name: mode, type: mode, description: Of the second sensor.}]\n"
-FIELD = (SET.partition("fields:\n")[2]).replace("0x01", "0x08").replace("name: one", "name: another")
+FIELD = (SET.partition("fields:\n")[2]).replace("0x01", "0x0B").replace("name: one", "name: another")
 
 Change = tuple[str, str, str]  #: a file, a text of it, and what comes in its place; a file that is new has no text
 
 #: What can be added.
 ADDITIONS: dict[str, list[Change]] = {
-    "field": [("sets/more.yaml", OWN, OWN + FIELD)],
+    "field": [("sets/measurements.yaml", OWN, OWN + FIELD)],
     "set": [("sets/extra.yaml", "", SET)],
     "device": [("devices/model_d.yaml", "", DEVICE)],
     "value": [("types/types.yaml", "slow: {value: 2,", "idle: {value: 3, description: N.}\n      slow: {value: 2,")],
@@ -70,11 +71,11 @@ ADDITIONS: dict[str, list[Change]] = {
 #: What is changed in the field that was added. The tool does not look at the types of members; `mipgen diff` does.
 BREAKS: dict[str, list[Change]] = {
     "a parameter more": [
-        ("sets/more.yaml", "length: 3", "length: 4"),
-        ("sets/more.yaml", "Of the set.}]", "Of the set.}, {name: more, type: u8, description: Appended.}]"),
+        ("sets/measurements.yaml", "length: 3", "length: 4"),
+        ("sets/measurements.yaml", "Of the set.}]", "Of the set.}, {name: more, type: u8, description: Appended.}]"),
     ],
-    "the name of a field": [("sets/more.yaml", "name: another", "name: other")],
-    "the name of a parameter": [("sets/more.yaml", "name: mode", "name: state")],
+    "the name of a field": [("sets/measurements.yaml", "name: another", "name: other")],
+    "the name of a parameter": [("sets/measurements.yaml", "name: mode", "name: state")],
 }
 
 #: Without those that bring dependencies.
@@ -116,7 +117,7 @@ def verdict(old: Path, new: Path, *arguments: str) -> tuple[bool, str]:
 
 #: What is added -> items of the crate that come with it, as the tool names them.
 ITEMS = {
-    "field": ("variant AnyField::MoreAnother", "struct mip_protocol::more::Another"),
+    "field": ("variant AnyField::MeasurementsAnother", "struct mip_protocol::measurements::Another"),
     "set": ("feature extra", "mod mip_protocol::extra", "variant AnyField::ExtraOne"),
     "device": ("MODEL_D",),
     "value": ("Mode::IDLE",),
@@ -144,7 +145,8 @@ def test_additions_would_be_major_without_the_attribute() -> None:
     old, new = made(attribute=False), made(*ADDITIONS, attribute=False)
     fits, said = verdict(old, new, *FEATURES, "--release-type", "minor")
     assert not fits and MAJOR in said, said
-    assert all(f"\n  variant {name} in" in said for name in ("AnyField:MoreAnother", "CircleFilling:Dotted")), said
+    names = ("AnyField:MeasurementsAnother", "CircleFilling:Dotted")
+    assert all(f"\n  variant {name} in" in said for name in names), said
 
 
 @pytest.mark.parametrize("what", BREAKS)

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 from support import sent
 
 Values = dict[str, Any]
@@ -51,9 +51,9 @@ def data_fields(device: m.Device) -> dict[int, list[int]]:
     """The descriptors of each data set that it sends, shared ones in the first."""
     found: dict[int, list[int]] = {}
     for s in device.supports:
-        if s.field.role == m.DATA and s.field.set != m.SHARED_SET:
-            found.setdefault(s.field.set, []).append(s.field.descriptor)
-    shared = [s.field.descriptor for s in device.supports if s.field.set == m.SHARED_SET]
+        if s.field.role == m.DATA and not s.field.everywhere:
+            found.setdefault(s.set, []).append(s.field.descriptor)
+    shared = [s.field.descriptor for s in device.supports if s.field.everywhere]
     for descriptors in list(found.values())[:1]:
         descriptors[:0] = shared
     return found

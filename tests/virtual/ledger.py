@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from itertools import zip_longest
 
 from conformance.client_model import descriptors, walk, wanted_responses
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 from support import expected_decode, expected_parse, model
 from virtual.commands import Trial
 from virtual.session import START, Event, Session

@@ -20,9 +20,9 @@ from virtual.commands import Trial
 sys.path.insert(0, str(ROOT / "generated/python"))
 
 from mip_protocol.packet import SYNC
-from mip_protocol.simulator.device import VirtualDevice
-from mip_protocol.simulator.fault_kinds import KINDS
-from mip_protocol.simulator.faults import Faults, Injected
+from mip_tools.simulator.device import VirtualDevice
+from mip_tools.simulator.fault_kinds import KINDS
+from mip_tools.simulator.faults import Faults, Injected
 
 __all__ = ["KINDS", "START", "Event", "Session", "Witness"]
 

@@ -9,15 +9,16 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from mipgen import codec, guided
 from mipgen import model as m
-from mipgen.guided import Sequence, Step, Stream
+from mipgen.lower import codec
+from mipgen.model import guides
+from mipgen.model.guides import Sequence, Step, Stream
 from support import ROOT, model
 
 sys.path.insert(0, str(ROOT / "generated/python"))
 
 from mip_protocol import Parser
-from mip_protocol.simulator.device import VirtualDevice
+from mip_tools.simulator.device import VirtualDevice
 
 #: Seconds for which data are counted.
 LONG = 3.0
@@ -26,7 +27,7 @@ LONG = 3.0
 FALLS = (0.5003, 1.2507, 2.0001)
 LOW_FOR = 0.1
 
-Played = tuple[guided.Guide, Sequence, m.Device]
+Played = tuple[guides.Guide, Sequence, m.Device]
 
 
 def played() -> list[Played]:

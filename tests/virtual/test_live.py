@@ -14,9 +14,9 @@ from threading import Thread
 from typing import Any
 
 import pytest
-from mipgen import codec
 from mipgen import model as m
-from support import ROOT, driver, expected_decode, heavy, model, offering
+from mipgen.lower import codec
+from support import PYTHONPATH, driver, expected_decode, heavy, model, offering
 from virtual.commands import Trial, commands
 from virtual.ledger import OUTCOMES
 from virtual.scenario import few, formats, write
@@ -28,8 +28,8 @@ FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_pa
 @contextmanager
 def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
     """Runs a device, and says where it is."""
-    command = [sys.executable, "-m", "mip_protocol", "simulate", device, *arguments]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None

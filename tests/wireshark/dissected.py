@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-from mipgen import codec
+from mipgen.lower import codec
 from shark import Shark
 from support import SPECS, model, need, set_of
 

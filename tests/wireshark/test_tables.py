@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from mipgen import naming, render
-from mipgen.problems import Problems
-from mipgen.resolve import load_model
+from mipgen.emit import naming, render
+from mipgen.read.problems import Problems
+from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
 from support import ROOT, SPECS, model
 
@@ -33,8 +33,9 @@ fields:
 def test_filters_are_names_of_the_specification(spec: str) -> None:
     names = [i.name for i in wireshark.identifiers(model(spec))]
     assert len(set(names)) == len(names)
-    for f in model(spec).fields:
-        assert any(name == f"mip.{f.full_name}" or name.startswith(f"mip.{f.full_name}.") for name in names)
+    for f, o in ((x, o) for x in model(spec).fields for o in x.occurrences):
+        own = f"mip.{f.name_in(o.set)}"
+        assert any(name == own or name.startswith(f"{own}.") for name in names)
 
 
 def test_a_parameter_does_not_repeat_its_field() -> None:
@@ -72,6 +73,6 @@ def test_the_output_has_the_parts_unchanged(spec: str) -> None:
 
 
 def test_nothing_of_one_message_is_in_the_parts() -> None:
-    names = {f.full_name for f in model("real").fields} | {s.name for s in model("real").sets if len(s.name) > 4}
+    names = set(model("real").names) | {s.name for s in model("real").sets if len(s.name) > 4}
     for part in PARTS:
         assert not [name for name in names if f'"{name}"' in part.read_text("utf-8")], part.name

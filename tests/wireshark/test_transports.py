@@ -9,7 +9,7 @@ import captures
 import pytest
 from conformance.test_conformance import samples
 from dissected import PORT, Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
-from mipgen import codec
+from mipgen.lower import codec
 from support import all_fields, expected_parse, heavy, model, set_of
 
 pytestmark = heavy("tshark")

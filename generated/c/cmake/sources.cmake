@@ -15,12 +15,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/filter.c
   ${MIP_FOLDER}/src/mip/filter_data.c
   ${MIP_FOLDER}/src/mip/gnss.c
-  ${MIP_FOLDER}/src/mip/gnss_1.c
-  ${MIP_FOLDER}/src/mip/gnss_2.c
-  ${MIP_FOLDER}/src/mip/gnss_corrections.c
   ${MIP_FOLDER}/src/mip/gnss_data.c
-  ${MIP_FOLDER}/src/mip/gnss_external.c
-  ${MIP_FOLDER}/src/mip/gnss_external_2.c
   ${MIP_FOLDER}/src/mip/label.c
   ${MIP_FOLDER}/src/mip/lookup.c
   ${MIP_FOLDER}/src/mip/names.c

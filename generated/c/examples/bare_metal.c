@@ -74,7 +74,9 @@ static void on_accel(void *user, const struct mip_field *field, uint32_t arrived
     }
 }
 
-static const struct mip_handler handlers[] = {{MIP_SENSOR_SCALED_ACCEL, on_accel, NULL}};
+static const struct mip_handler handlers[] = {
+    {&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, NULL},
+};
 
 /* The device sends accelerations at a tenth of its base rate. */
 static bool configure(struct mip_device *device) {

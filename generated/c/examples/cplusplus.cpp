@@ -95,7 +95,7 @@ static void expect(const char *what, mip_result result) {
 static void run(Connection &connection) {
     unsigned count = 0;
     const mip_handler handlers[] = {
-        {MIP_SENSOR_SCALED_ACCEL,
+        {&mip_sensor_scaled_accel_codec, MIP_ANY_SET,
          [](void *user, const mip_field *field, uint32_t) {
              mip_sensor_scaled_accel accel;
              if (mip_sensor_scaled_accel_decode(&accel, field) == MIP_OK) {

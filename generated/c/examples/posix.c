@@ -123,7 +123,9 @@ static void on_accel(void *user, const struct mip_field *field, uint32_t arrived
 }
 
 static struct samples samples;
-static const struct mip_handler handlers[] = {{MIP_SENSOR_SCALED_ACCEL, on_accel, &samples}};
+static const struct mip_handler handlers[] = {
+    {&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, &samples},
+};
 
 /* ------------------------------------------------------------------------ configuration */
 

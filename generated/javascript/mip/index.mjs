@@ -1,8 +1,19 @@
 // The MIP protocol in JavaScript: everything that a program uses.
 
-export { MipError, checksum, fromHex, toHex } from "./bytes.mjs";
+export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
 export { decodeData, encodeData } from "./codec.mjs";
-export { bitsOf, enumValue, namedType, parametersAt, unitOf } from "./names.mjs";
-export { Packet, buildPacket } from "./packet.mjs";
+export {
+    bitsNumber,
+    bitsOf,
+    enumValue,
+    maskOf,
+    measuredHere,
+    namedType,
+    parameterOf,
+    parametersAt,
+    unitOf,
+    valueAt,
+} from "./names.mjs";
+export { buildPacket, Packet } from "./packet.mjs";
 export { Parser, segments } from "./parser.mjs";
-export { Protocol } from "./protocol.mjs";
+export { FIRST_DATA_SET, isSet, nameIn, placesOf, Protocol, SHARED_SET } from "./protocol.mjs";

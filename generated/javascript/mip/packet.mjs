@@ -2,7 +2,7 @@
 
 import { MipError, bytesOf, checksum, concatenated, described, fromHex, sameBytes, toHex } from "./bytes.mjs";
 import { decodeData, encodeData } from "./codec.mjs";
-import { SHARED_SET } from "./protocol.mjs";
+import { isSet, nameIn } from "./protocol.mjs";
 
 const HEAD = 4;
 const TAIL = 2;
@@ -20,7 +20,7 @@ export class Packet {
         if (!sameBytes(bytes.subarray(0, 2), protocol.sync)) {
             throw new MipError("sync", `it does not begin with ${toHex(protocol.sync, " ")}`);
         }
-        if (bytes.length < HEAD + TAIL || bytes.length !== bytes[3] + HEAD + TAIL || bytes[2] === 0) {
+        if (bytes.length < HEAD + TAIL || bytes.length !== bytes[3] + HEAD + TAIL || !isSet(bytes[2])) {
             throw new MipError("length", `its ${bytes.length} bytes are not a whole packet`);
         }
         const packet = new Packet(protocol, bytes);
@@ -97,8 +97,7 @@ function decodeField(protocol, set, { descriptor, data }, options) {
  * and `values`; a counter that is left out counts its array. Raises a MipError if something does not fit.
  */
 export function buildPacket(protocol, set, fields) {
-    if (!(Number.isInteger(set) && set > 0 && set < SHARED_SET))
-        throw new MipError("set", `no packet has descriptor set ${described(set)}`);
+    if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
     if (!Array.isArray(fields)) throw new MipError("fields", `${described(fields)} is not an array of fields`);
     const parts = fields.flatMap((entry) => {
         if (typeof entry !== "object" || entry === null)
@@ -121,7 +120,7 @@ export function buildPacket(protocol, set, fields) {
 }
 
 function dataOf(protocol, set, { descriptor, name, values }) {
-    const field = protocol.candidates(set, descriptor).find((candidate) => candidate.name === name);
+    const field = protocol.candidates(set, descriptor).find((one) => nameIn(one, set) === name);
     if (!field) throw new MipError("unknown", `set ${set} has no field ${described(name)} with descriptor ${descriptor}`);
     return encodeData(protocol, field, values);
 }

@@ -2,6 +2,7 @@
 
 import { bytesOf, concatenated } from "./bytes.mjs";
 import { Packet } from "./packet.mjs";
+import { isSet } from "./protocol.mjs";
 
 /**
  * Takes bytes in pieces of any size and gives the same packets for each division. What is no packet costs nothing but
@@ -49,7 +50,7 @@ export class Parser {
 function packetAt(protocol, bytes, at) {
     const [first, second] = protocol.sync;
     const left = bytes.length - at;
-    if (bytes[at] !== first || (left > 1 && bytes[at + 1] !== second) || (left > 2 && bytes[at + 2] === 0)) return 0;
+    if (bytes[at] !== first || (left > 1 && bytes[at + 1] !== second) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
     if (left < 4 || left < bytes[at + 3] + 6) return undefined;
     const size = bytes[at + 3] + 6;
     return new Packet(protocol, bytes.subarray(at, at + size)).sound ? size : 0;
@@ -94,7 +95,7 @@ export function segments(protocol, given) {
 
 function isDamaged(protocol, bytes, at) {
     const [first, second] = protocol.sync;
-    if (bytes[at] !== first || bytes[at + 1] !== second || !bytes[at + 2]) return false;
+    if (bytes[at] !== first || bytes[at + 1] !== second || !isSet(bytes[at + 2])) return false;
     const size = bytes[at + 3] + 6;
     if (!(at + size <= bytes.length)) return false;
     try {

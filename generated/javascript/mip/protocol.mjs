@@ -26,18 +26,21 @@ export class Protocol {
         this.maxPayload = model.packet.max_payload;
         this.maxFieldData = model.packet.max_field_data;
         this.fields = byKey(model.fields, "name");
+        for (const field of model.fields) for (const place of placesOf(field)) this.fields.set(place.name, field);
         this.types = byKey(model.types, "name");
         this.sets = byKey(model.sets, "number");
         this.functions = byKey(model.functions, "value");
         this.acknowledge = this.field(model.acknowledge);
         this.layouts = new Map();
         for (const field of model.fields) {
-            const key = field.set * 256 + field.descriptor;
-            this.layouts.set(key, [...(this.layouts.get(key) ?? []), field]);
+            for (const { set } of placesOf(field)) {
+                const key = set * 256 + field.descriptor;
+                this.layouts.set(key, [...(this.layouts.get(key) ?? []), field]);
+            }
         }
     }
 
-    /** A field by its name, "3dm.pps_source_control". */
+    /** A field by its name, "3dm.pps_source_control", or by its name in one of its sets, "gnss_2.dop". */
     field(name) {
         return found(this.fields, name, "field");
     }
@@ -76,6 +79,21 @@ export class Protocol {
         const name = this.functions.get(Number(selector))?.name;
         return field.calls.find((call) => call.function === name)?.required.length ?? 0;
     }
+}
+
+/** May a packet have this descriptor set? 0 and 255 stand for the fields of all sets of commands, and of data. */
+export function isSet(number) {
+    return Number.isInteger(number) && number > 0 && number < SHARED_SET;
+}
+
+/** The sets in which a field occurs, with its name in each. */
+export function placesOf(field) {
+    return field.occurrences ?? [{ set: field.set, name: field.name }];
+}
+
+/** The full name of a field in a set: "gnss_2.dop". What occurs everywhere has one name. */
+export function nameIn(field, set) {
+    return placesOf(field).find((place) => place.set === set)?.name ?? field.name;
 }
 
 function byKey(things, key) {

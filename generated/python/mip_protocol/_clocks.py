@@ -7,14 +7,14 @@ CLOCKS: dict[str, str | None] = {"gps": "1980-01-06", "external": None, "referen
 
 #: Set and descriptor of the fields that hold the time of their packet -> its clock.
 TIMESTAMPS: dict[tuple[int, int], str] = {
+    (0xFF, 0xD3): "gps",
     (0x80, 0x12): "gps",
-    (0x81, 0x09): "gps",
     (0x82, 0x11): "gps",
+    (0x81, 0x09): "gps",
     (0x91, 0x09): "gps",
     (0x92, 0x09): "gps",
     (0x94, 0x09): "gps",
     (0x95, 0x09): "gps",
-    (0xFF, 0xD3): "gps",
     (0xFF, 0xD7): "external",
     (0xFF, 0xD5): "reference",
 }

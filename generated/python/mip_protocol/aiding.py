@@ -133,6 +133,7 @@ class FrameConfigResponse(Response):
     __match_args__ = ("frame_id", "format", "tracking_enabled", "translation", "rotation")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x81
     NAME = "aiding.frame_config_response"
     ROLE = "response"
@@ -224,6 +225,7 @@ class EchoControlResponse(Response):
     __match_args__ = ("mode",)
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x9F
     NAME = "aiding.echo_control_response"
     ROLE = "response"
@@ -291,6 +293,7 @@ class FrameConfig(Command[R]):
     )
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x01
     NAME = "aiding.frame_config"
     ROLE = "command"
@@ -485,6 +488,7 @@ class EchoControl(Command[R]):
     __match_args__ = ("function", "mode")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x1F
     NAME = "aiding.echo_control"
     ROLE = "command"
@@ -585,6 +589,7 @@ class EcefPosition(Command[None]):
     __match_args__ = ("time", "frame_id", "position", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x21
     NAME = "aiding.ecef_position"
     ROLE = "command"
@@ -684,6 +689,7 @@ class LlhPosition(Command[None]):
     )
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x22
     NAME = "aiding.llh_position"
     ROLE = "command"
@@ -776,6 +782,7 @@ class HeightAboveEllipsoid(Command[None]):
     __match_args__ = ("time", "frame_id", "height", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x23
     NAME = "aiding.height_above_ellipsoid"
     ROLE = "command"
@@ -850,6 +857,7 @@ class EcefVelocity(Command[None]):
     __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x28
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
@@ -934,6 +942,7 @@ class NedVelocity(Command[None]):
     __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x29
     NAME = "aiding.ned_velocity"
     ROLE = "command"
@@ -1021,6 +1030,7 @@ class BodyFrameVelocity(Command[None]):
     __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x2A
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
@@ -1102,6 +1112,7 @@ class TrueHeading(Command[None]):
     __match_args__ = ("time", "frame_id", "heading", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x31
     NAME = "aiding.true_heading"
     ROLE = "command"
@@ -1175,6 +1186,7 @@ class MagneticField(Command[None]):
     __match_args__ = ("time", "frame_id", "magnetic_field", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x32
     NAME = "aiding.magnetic_field"
     ROLE = "command"
@@ -1256,6 +1268,7 @@ class Pressure(Command[None]):
     __match_args__ = ("time", "frame_id", "pressure", "uncertainty", "valid_flags")
 
     SET = 0x13
+    SETS = (0x13,)
     DESCRIPTOR = 0x33
     NAME = "aiding.pressure"
     ROLE = "command"

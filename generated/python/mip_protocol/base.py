@@ -133,6 +133,7 @@ class GetDeviceInfoResponse(Response):
     __match_args__ = ("device_info",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
     ROLE = "response"
@@ -171,6 +172,7 @@ class GetDeviceDescriptorsResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
     ROLE = "response"
@@ -215,6 +217,7 @@ class BuiltInTestResponse(Response):
     __match_args__ = ("result",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
     ROLE = "response"
@@ -263,6 +266,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     __match_args__ = ("week_number",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x84
     NAME = "base.gps_time_update_week_number_response"
     ROLE = "response"
@@ -305,6 +309,7 @@ class GpsTimeUpdateTowResponse(Response):
     __match_args__ = ("tow",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x85
     NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
@@ -342,6 +347,7 @@ class GetExtendedDescriptorsResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
@@ -384,6 +390,7 @@ class ContinuousBuiltInTestResponse(Response):
     __match_args__ = ("result",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
@@ -426,6 +433,7 @@ class CommSpeedResponse(Response):
     __match_args__ = ("port", "baud")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x89
     NAME = "base.comm_speed_response"
     ROLE = "response"
@@ -477,6 +485,7 @@ class Ping(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x01
     NAME = "base.ping"
     ROLE = "command"
@@ -510,6 +519,7 @@ class SetIdle(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x02
     NAME = "base.set_idle"
     ROLE = "command"
@@ -541,6 +551,7 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x03
     NAME = "base.get_device_info"
     ROLE = "command"
@@ -577,6 +588,7 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x04
     NAME = "base.get_device_descriptors"
     ROLE = "command"
@@ -612,6 +624,7 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x05
     NAME = "base.built_in_test"
     ROLE = "command"
@@ -647,6 +660,7 @@ class Resume(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x06
     NAME = "base.resume"
     ROLE = "command"
@@ -676,6 +690,7 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x07
     NAME = "base.get_extended_descriptors"
     ROLE = "command"
@@ -707,6 +722,7 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x08
     NAME = "base.continuous_built_in_test"
     ROLE = "command"
@@ -745,6 +761,7 @@ class CommSpeed(Command[R]):
     __match_args__ = ("function", "port", "baud")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x09
     NAME = "base.comm_speed"
     ROLE = "command"
@@ -867,6 +884,7 @@ class GpsTimeUpdate(Command[R]):
     __match_args__ = ("function", "field_id", "value")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
     ROLE = "command"
@@ -981,6 +999,7 @@ class SoftReset(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x7E
     NAME = "base.soft_reset"
     ROLE = "command"

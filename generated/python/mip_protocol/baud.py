@@ -25,6 +25,7 @@ class Ping(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x01
     NAME = "ping"
     ROLE = "command"

@@ -132,10 +132,11 @@ class Client:
             raise EncodeError("missing", "send needs at least one command")
         if timeout is not None:
             check_seconds(timeout)
-        builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):
                 raise EncodeError("set", f"{command!r} is not a command")
+        builder = PacketBuilder(commands[0].SET)
+        for command in commands:
             if command.SET != commands[0].SET:
                 raise EncodeError("set", "the commands of one packet must be of one descriptor set")
             builder.add(command.DESCRIPTOR, command.encode())

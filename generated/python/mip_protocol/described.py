@@ -56,6 +56,10 @@ class Described:
     INFO = _Info()
     """What is known of it and of its parameters."""
 
+    def _called(self, name: str) -> str:
+        """Its name in a text; that of a field depends on the set that contained it."""
+        return name
+
     def __init_subclass__(cls, **arguments: Any) -> None:
         super().__init_subclass__(**arguments)
         slots = cls.__dict__.get("__slots__")

@@ -3050,7 +3050,7 @@ def find(name: str) -> Device | None:
 
 
 def by_name(name: str) -> Device:
-    """The same for any spelling, or for its last words ("gx5 15"); raises UnknownName, which gives the nearest names."""
+    """The same for any spelling, or for its last words ("gx5 15"); raises UnknownName, which gives the nearest."""
     return DEVICES[device_id(name)]
 
 
@@ -3065,17 +3065,9 @@ def identify(info: DeviceInfo) -> Device | None:
     return by_model(number) if number else None
 
 
+# fmt: off
 __all__ = [
-    "DEVICES",
-    "Device",
-    "DeviceInfo",
-    "Limit",
-    "Note",
-    "Port",
-    "by_model",
-    "by_name",
-    "find",
-    "identify",
+    "DEVICES", "Device", "DeviceInfo", "Limit", "Note", "Port", "by_model", "by_name", "find", "identify",
     "model_number",
     "CL5_10",
     "CL5_15",

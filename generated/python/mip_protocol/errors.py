@@ -1,4 +1,4 @@
-"""Exceptions. All but `Failure` and `MissingExtra` are `MipError`, which is a `ValueError`."""
+"""Exceptions. All but `MissingExtra` are `MipError`, which is a `ValueError`."""
 
 from __future__ import annotations
 
@@ -113,18 +113,3 @@ class MissingExtra(ImportError):
     def __init__(self, package: str, extra: str) -> None:
         super().__init__(f"{package} is missing; pip install {package}", name=package)
         self.args = (package, extra)
-
-
-class Failure(Exception):
-    """The message of a command line that ends it: the problem and the remedy, in one line."""
-
-    def __init__(self, text: str, status: int = 1) -> None:
-        super().__init__(text)
-        self.status = status
-
-
-class Misuse(Failure):
-    """A command line that is wrong: an unknown name, a value that cannot be."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(text, 2)

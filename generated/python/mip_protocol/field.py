@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
@@ -142,7 +142,8 @@ class Field(Structure):
 
     __slots__ = ()
 
-    SET: ClassVar[int]
+    SET: ClassVar[int]  # its descriptor set; one that occurs in several listed sets has none
+    SETS: ClassVar[Sequence[int]]  # the descriptor sets in which it occurs
     DESCRIPTOR: ClassVar[int]
     NAME: ClassVar[str]  # in the specification: "base.ping"
     ROLE: ClassVar[str]  # "command", "response" or "data"
@@ -155,6 +156,15 @@ class Field(Structure):
     def packet_set(self) -> int | None:
         """The descriptor set of the packet that contained it; None if that is not known."""
         return self.SET
+
+    @classmethod
+    def name_in(cls, set: int) -> str:
+        """Its full name in a descriptor set: "gnss_2.dop". What occurs in every set has one name."""
+        from ._index import SETS
+
+        listed = set in cls.SETS and not isinstance(cls.SETS, range)
+        known = SETS.get(set) if listed else None
+        return f"{known[0]}.{cls.NAME.partition('.')[2]}" if known else cls.NAME
 
     def encode(self) -> bytes:
         """The data of the field, without its length and descriptor. Raises EncodeError."""
@@ -180,12 +190,21 @@ class Field(Structure):
         """Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size."""
         return True
 
-    def packet(self) -> Packet:
-        """A packet with only this field. Raises EncodeError."""
-        if self.packet_set is None:
-            remedy = f"PacketBuilder(set).add({type(self).__name__}.DESCRIPTOR, field.encode())"
-            raise EncodeError("set", f"{self.NAME} belongs to packets of several sets: {remedy}")
-        return PacketBuilder(self.packet_set).add(self.DESCRIPTOR, self.encode()).build()
+    def _called(self, name: str) -> str:
+        return name if self.packet_set is None else self.name_in(self.packet_set)
+
+    def packet(self, set: int | None = None) -> Packet:
+        """A packet with only this field, of the set that contained it, or of the given one. Raises EncodeError."""
+        number = self.packet_set if set is None else set
+        if number is None:
+            raise EncodeError(
+                "set", f"{self.NAME} belongs to packets of several sets: name one, packet(set)"
+            )
+        if number not in self.SETS:
+            raise EncodeError(
+                "set", f"{self.NAME} does not occur in packets of the set 0x{number:02X}"
+            )
+        return PacketBuilder(number).add(self.DESCRIPTOR, self.encode()).build()
 
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
@@ -200,9 +219,7 @@ class Field(Structure):
     def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
         """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
         cannot be decoded, or within which the packet ends."""
-        shared = cls.SET == 0xFF and packet.set >= 0x80
-        ack = cls.SET == 0 and packet.set < 0x80
-        if packet.set == cls.SET or shared or ack:
+        if packet.set in cls.SETS:
             for raw in packet:
                 if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
                     yield cls._received(raw)
@@ -214,7 +231,7 @@ class Field(Structure):
 
 
 class Shared(Field):
-    """A field that is valid in packets of several sets."""
+    """A field that occurs in packets of several sets, and remembers which one contained it."""
 
     __slots__ = ("_packet_set",)
 

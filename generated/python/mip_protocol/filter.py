@@ -316,6 +316,7 @@ class VehicleDynamicsModeResponse(Response):
     __match_args__ = ("mode",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x80
     NAME = "filter.vehicle_dynamics_mode_response"
     ROLE = "response"
@@ -354,6 +355,7 @@ class SensorToVehicleRotationEulerResponse(Response):
     __match_args__ = ("roll", "pitch", "yaw")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x81
     NAME = "filter.sensor_to_vehicle_rotation_euler_response"
     ROLE = "response"
@@ -401,6 +403,7 @@ class SensorToVehicleOffsetResponse(Response):
     __match_args__ = ("offset",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x82
     NAME = "filter.sensor_to_vehicle_offset_response"
     ROLE = "response"
@@ -442,6 +445,7 @@ class AntennaOffsetResponse(Response):
     __match_args__ = ("offset",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x83
     NAME = "filter.antenna_offset_response"
     ROLE = "response"
@@ -487,6 +491,7 @@ class EstimationControlResponse(Response):
     __match_args__ = ("flags",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x84
     NAME = "filter.estimation_control_response"
     ROLE = "response"
@@ -525,6 +530,7 @@ class GnssSourceResponse(Response):
     __match_args__ = ("source",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x86
     NAME = "filter.gnss_source_response"
     ROLE = "response"
@@ -565,6 +571,7 @@ class HeadingSourceResponse(Response):
     __match_args__ = ("source",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x87
     NAME = "filter.heading_source_response"
     ROLE = "response"
@@ -604,6 +611,7 @@ class AutoInitializationControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x88
     NAME = "filter.auto_initialization_control_response"
     ROLE = "response"
@@ -643,6 +651,7 @@ class AccelNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x89
     NAME = "filter.accel_noise_response"
     ROLE = "response"
@@ -683,6 +692,7 @@ class GyroNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x8A
     NAME = "filter.gyro_noise_response"
     ROLE = "response"
@@ -722,6 +732,7 @@ class AccelBiasModelResponse(Response):
     __match_args__ = ("beta", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x8B
     NAME = "filter.accel_bias_model_response"
     ROLE = "response"
@@ -772,6 +783,7 @@ class GyroBiasModelResponse(Response):
     __match_args__ = ("beta", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x8C
     NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
@@ -822,6 +834,7 @@ class AutoZuptResponse(Response):
     __match_args__ = ("enable", "threshold")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x8D
     NAME = "filter.auto_zupt_response"
     ROLE = "response"
@@ -866,6 +879,7 @@ class AutoAngularZuptResponse(Response):
     __match_args__ = ("enable", "threshold")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x8E
     NAME = "filter.auto_angular_zupt_response"
     ROLE = "response"
@@ -908,6 +922,7 @@ class ReferencePositionResponse(Response):
     __match_args__ = ("enable", "latitude", "longitude", "altitude")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x90
     NAME = "filter.reference_position_response"
     ROLE = "response"
@@ -968,6 +983,7 @@ class GravityNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x93
     NAME = "filter.gravity_noise_response"
     ROLE = "response"
@@ -1008,6 +1024,7 @@ class PressureAltitudeNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x94
     NAME = "filter.pressure_altitude_noise_response"
     ROLE = "response"
@@ -1046,6 +1063,7 @@ class HardIronOffsetNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x96
     NAME = "filter.hard_iron_offset_noise_response"
     ROLE = "response"
@@ -1085,6 +1103,7 @@ class SoftIronMatrixNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x97
     NAME = "filter.soft_iron_matrix_noise_response"
     ROLE = "response"
@@ -1128,6 +1147,7 @@ class TareOrientationResponse(Response):
     __match_args__ = ("axes",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xA1
     NAME = "filter.tare_orientation_response"
     ROLE = "response"
@@ -1166,6 +1186,7 @@ class EnableMeasurementsResponse(Response):
     __match_args__ = ("control",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB0
     NAME = "filter.enable_measurements_response"
     ROLE = "response"
@@ -1204,6 +1225,7 @@ class MagNoiseResponse(Response):
     __match_args__ = ("noise",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB1
     NAME = "filter.mag_noise_response"
     ROLE = "response"
@@ -1244,6 +1266,7 @@ class MagneticDeclinationSourceResponse(Response):
     __match_args__ = ("source", "declination")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB2
     NAME = "filter.magnetic_declination_source_response"
     ROLE = "response"
@@ -1316,6 +1339,7 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB3
     NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
@@ -1440,6 +1464,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB4
     NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
@@ -1560,6 +1585,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB5
     NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
     ROLE = "response"
@@ -1639,6 +1665,7 @@ class AltitudeAidingResponse(Response):
     __match_args__ = ("selector",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xB7
     NAME = "filter.altitude_aiding_response"
     ROLE = "response"
@@ -1677,6 +1704,7 @@ class PitchRollAidingResponse(Response):
     __match_args__ = ("aiding",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xBB
     NAME = "filter.pitch_roll_aiding_response"
     ROLE = "response"
@@ -1716,6 +1744,7 @@ class MagneticInclinationSourceResponse(Response):
     __match_args__ = ("source", "inclination")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xBC
     NAME = "filter.magnetic_inclination_source_response"
     ROLE = "response"
@@ -1761,6 +1790,7 @@ class MagneticMagnitudeSourceResponse(Response):
     __match_args__ = ("source", "magnitude")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xBD
     NAME = "filter.magnetic_magnitude_source_response"
     ROLE = "response"
@@ -1805,6 +1835,7 @@ class SensorToVehicleRotationDcmResponse(Response):
     __match_args__ = ("dcm",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xBE
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
     ROLE = "response"
@@ -1846,6 +1877,7 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     __match_args__ = ("q",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xBF
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
@@ -1890,6 +1922,7 @@ class AidingMeasurementEnableResponse(Response):
     __match_args__ = ("aiding_source", "enable")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD0
     NAME = "filter.aiding_measurement_enable_response"
     ROLE = "response"
@@ -1934,6 +1967,7 @@ class KinematicConstraintResponse(Response):
     __match_args__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD1
     NAME = "filter.kinematic_constraint_response"
     ROLE = "response"
@@ -2023,6 +2057,7 @@ class InitializationConfigResponse(Response):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD2
     NAME = "filter.initialization_config_response"
     ROLE = "response"
@@ -2144,6 +2179,7 @@ class AdaptiveFilterOptionsResponse(Response):
     __match_args__ = ("level", "time_limit")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD3
     NAME = "filter.adaptive_filter_options_response"
     ROLE = "response"
@@ -2186,6 +2222,7 @@ class MultiAntennaOffsetResponse(Response):
     __match_args__ = ("receiver_id", "antenna_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD4
     NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
@@ -2236,6 +2273,7 @@ class RelativePositionConfigResponse(Response):
     __match_args__ = ("source", "reference_frame_selector", "reference_coordinates")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD5
     NAME = "filter.relative_position_config_response"
     ROLE = "response"
@@ -2304,6 +2342,7 @@ class ReferencePointLeverArmResponse(Response):
     __match_args__ = ("reference_point", "lever_arm_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xD6
     NAME = "filter.reference_point_lever_arm_response"
     ROLE = "response"
@@ -2356,6 +2395,7 @@ class SpeedLeverArmResponse(Response):
     __match_args__ = ("lever_arm_offset",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xE1
     NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
@@ -2403,6 +2443,7 @@ class VerticalGyroConstraintControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xE2
     NAME = "filter.vertical_gyro_constraint_control_response"
     ROLE = "response"
@@ -2441,6 +2482,7 @@ class WheeledVehicleConstraintControlResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xE3
     NAME = "filter.wheeled_vehicle_constraint_control_response"
     ROLE = "response"
@@ -2481,6 +2523,7 @@ class GnssAntennaCalibrationControlResponse(Response):
     __match_args__ = ("enable", "max_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0xE4
     NAME = "filter.gnss_antenna_calibration_control_response"
     ROLE = "response"
@@ -2527,6 +2570,7 @@ class Reset(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x01
     NAME = "filter.reset"
     ROLE = "command"
@@ -2558,6 +2602,7 @@ class SetInitialAttitude(Command[None]):
     __match_args__ = ("roll", "pitch", "heading")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x02
     NAME = "filter.set_initial_attitude"
     ROLE = "command"
@@ -2612,6 +2657,7 @@ class SetInitialHeading(Command[None]):
     __match_args__ = ("heading",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x03
     NAME = "filter.set_initial_heading"
     ROLE = "command"
@@ -2651,6 +2697,7 @@ class Run(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x05
     NAME = "filter.run"
     ROLE = "command"
@@ -2684,6 +2731,7 @@ class VehicleDynamicsMode(Command[R]):
     __match_args__ = ("function", "mode")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x10
     NAME = "filter.vehicle_dynamics_mode"
     ROLE = "command"
@@ -2799,6 +2847,7 @@ class SensorToVehicleRotationEuler(Command[R]):
     __match_args__ = ("function", "roll", "pitch", "yaw")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x11
     NAME = "filter.sensor_to_vehicle_rotation_euler"
     ROLE = "command"
@@ -2936,6 +2985,7 @@ class SensorToVehicleOffset(Command[R]):
     __match_args__ = ("function", "offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x12
     NAME = "filter.sensor_to_vehicle_offset"
     ROLE = "command"
@@ -3044,6 +3094,7 @@ class AntennaOffset(Command[R]):
     __match_args__ = ("function", "offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x13
     NAME = "filter.antenna_offset"
     ROLE = "command"
@@ -3151,6 +3202,7 @@ class EstimationControl(Command[R]):
     __match_args__ = ("function", "flags")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x14
     NAME = "filter.estimation_control"
     ROLE = "command"
@@ -3262,6 +3314,7 @@ class GnssSource(Command[R]):
     __match_args__ = ("function", "source")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x15
     NAME = "filter.gnss_source"
     ROLE = "command"
@@ -3388,6 +3441,7 @@ class ExternalGnssUpdate(Command[None]):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x16
     NAME = "filter.external_gnss_update"
     ROLE = "command"
@@ -3504,6 +3558,7 @@ class ExternalHeadingUpdate(Command[None]):
     __match_args__ = ("heading", "heading_uncertainty", "type")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x17
     NAME = "filter.external_heading_update"
     ROLE = "command"
@@ -3565,6 +3620,7 @@ class HeadingSource(Command[R]):
     __match_args__ = ("function", "source")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x18
     NAME = "filter.heading_source"
     ROLE = "command"
@@ -3676,6 +3732,7 @@ class AutoInitializationControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x19
     NAME = "filter.auto_initialization_control"
     ROLE = "command"
@@ -3779,6 +3836,7 @@ class AccelNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1A
     NAME = "filter.accel_noise"
     ROLE = "command"
@@ -3885,6 +3943,7 @@ class GyroNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1B
     NAME = "filter.gyro_noise"
     ROLE = "command"
@@ -3989,6 +4048,7 @@ class AccelBiasModel(Command[R]):
     __match_args__ = ("function", "beta", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1C
     NAME = "filter.accel_bias_model"
     ROLE = "command"
@@ -4113,6 +4173,7 @@ class GyroBiasModel(Command[R]):
     __match_args__ = ("function", "beta", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1D
     NAME = "filter.gyro_bias_model"
     ROLE = "command"
@@ -4238,6 +4299,7 @@ class AutoZupt(Command[R]):
     __match_args__ = ("function", "enable", "threshold")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1E
     NAME = "filter.auto_zupt"
     ROLE = "command"
@@ -4354,6 +4416,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     __match_args__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x1F
     NAME = "filter.external_heading_update_with_time"
     ROLE = "command"
@@ -4436,6 +4499,7 @@ class AutoAngularZupt(Command[R]):
     __match_args__ = ("function", "enable", "threshold")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x20
     NAME = "filter.auto_angular_zupt"
     ROLE = "command"
@@ -4554,6 +4618,7 @@ class TareOrientation(Command[R]):
     __match_args__ = ("function", "axes")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
     ROLE = "command"
@@ -4645,6 +4710,7 @@ class CommandedZupt(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x22
     NAME = "filter.commanded_zupt"
     ROLE = "command"
@@ -4672,6 +4738,7 @@ class CommandedAngularZupt(Command[None]):
     __slots__ = ()
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x23
     NAME = "filter.commanded_angular_zupt"
     ROLE = "command"
@@ -4712,6 +4779,7 @@ class ReferencePosition(Command[R]):
     __match_args__ = ("function", "enable", "latitude", "longitude", "altitude")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x26
     NAME = "filter.reference_position"
     ROLE = "command"
@@ -4867,6 +4935,7 @@ class MagCaptureAutoCalibration(Command[None]):
     __match_args__ = ("function",)
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x27
     NAME = "filter.mag_capture_auto_calibration"
     ROLE = "command"
@@ -4923,6 +4992,7 @@ class GravityNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x28
     NAME = "filter.gravity_noise"
     ROLE = "command"
@@ -5030,6 +5100,7 @@ class PressureAltitudeNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x29
     NAME = "filter.pressure_altitude_noise"
     ROLE = "command"
@@ -5130,6 +5201,7 @@ class HardIronOffsetNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x2B
     NAME = "filter.hard_iron_offset_noise"
     ROLE = "command"
@@ -5235,6 +5307,7 @@ class SoftIronMatrixNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x2C
     NAME = "filter.soft_iron_matrix_noise"
     ROLE = "command"
@@ -5340,6 +5413,7 @@ class EnableMeasurements(Command[R]):
     __match_args__ = ("function", "control")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x41
     NAME = "filter.enable_measurements"
     ROLE = "command"
@@ -5444,6 +5518,7 @@ class MagNoise(Command[R]):
     __match_args__ = ("function", "noise")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x42
     NAME = "filter.mag_noise"
     ROLE = "command"
@@ -5549,6 +5624,7 @@ class MagneticDeclinationSource(Command[R]):
     __match_args__ = ("function", "source", "declination")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x43
     NAME = "filter.magnetic_declination_source"
     ROLE = "command"
@@ -5712,6 +5788,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x44
     NAME = "filter.accel_magnitude_error_adaptive_measurement"
     ROLE = "command"
@@ -5969,6 +6046,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x45
     NAME = "filter.mag_magnitude_error_adaptive_measurement"
     ROLE = "command"
@@ -6228,6 +6306,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x46
     NAME = "filter.mag_dip_angle_error_adaptive_measurement"
     ROLE = "command"
@@ -6413,6 +6492,7 @@ class AltitudeAiding(Command[R]):
     __match_args__ = ("function", "selector")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x47
     NAME = "filter.altitude_aiding"
     ROLE = "command"
@@ -6513,6 +6593,7 @@ class PitchRollAiding(Command[R]):
     __match_args__ = ("function", "aiding")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x4B
     NAME = "filter.pitch_roll_aiding"
     ROLE = "command"
@@ -6617,6 +6698,7 @@ class MagneticInclinationSource(Command[R]):
     __match_args__ = ("function", "source", "inclination")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x4C
     NAME = "filter.magnetic_inclination_source"
     ROLE = "command"
@@ -6741,6 +6823,7 @@ class MagneticMagnitudeSource(Command[R]):
     __match_args__ = ("function", "source", "magnitude")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x4D
     NAME = "filter.magnetic_magnitude_source"
     ROLE = "command"
@@ -6867,6 +6950,7 @@ class SensorToVehicleRotationDcm(Command[R]):
     __match_args__ = ("function", "dcm")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x4E
     NAME = "filter.sensor_to_vehicle_rotation_dcm"
     ROLE = "command"
@@ -6979,6 +7063,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     __match_args__ = ("function", "q")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x4F
     NAME = "filter.sensor_to_vehicle_rotation_quaternion"
     ROLE = "command"
@@ -7092,6 +7177,7 @@ class AidingMeasurementEnable(Command[R]):
     __match_args__ = ("function", "aiding_source", "enable")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x50
     NAME = "filter.aiding_measurement_enable"
     ROLE = "command"
@@ -7228,6 +7314,7 @@ class KinematicConstraint(Command[R]):
     __match_args__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x51
     NAME = "filter.kinematic_constraint"
     ROLE = "command"
@@ -7412,6 +7499,7 @@ class InitializationConfig(Command[R]):
     )
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x52
     NAME = "filter.initialization_config"
     ROLE = "command"
@@ -7668,6 +7756,7 @@ class AdaptiveFilterOptions(Command[R]):
     __match_args__ = ("function", "level", "time_limit")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x53
     NAME = "filter.adaptive_filter_options"
     ROLE = "command"
@@ -7791,6 +7880,7 @@ class MultiAntennaOffset(Command[R]):
     __match_args__ = ("function", "receiver_id", "antenna_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x54
     NAME = "filter.multi_antenna_offset"
     ROLE = "command"
@@ -7923,6 +8013,7 @@ class RelativePositionConfig(Command[R]):
     __match_args__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x55
     NAME = "filter.relative_position_config"
     ROLE = "command"
@@ -8077,6 +8168,7 @@ class ReferencePointLeverArm(Command[R]):
     __match_args__ = ("function", "reference_point", "lever_arm_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x56
     NAME = "filter.reference_point_lever_arm"
     ROLE = "command"
@@ -8206,6 +8298,7 @@ class SpeedMeasurement(Command[None]):
     __match_args__ = ("tow", "speed", "speed_uncertainty")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x60
     NAME = "filter.speed_measurement"
     ROLE = "command"
@@ -8271,6 +8364,7 @@ class SpeedLeverArm(Command[R]):
     __match_args__ = ("function", "source", "lever_arm_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x61
     NAME = "filter.speed_lever_arm"
     ROLE = "command"
@@ -8394,6 +8488,7 @@ class VerticalGyroConstraintControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x62
     NAME = "filter.vertical_gyro_constraint_control"
     ROLE = "command"
@@ -8503,6 +8598,7 @@ class WheeledVehicleConstraintControl(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x63
     NAME = "filter.wheeled_vehicle_constraint_control"
     ROLE = "command"
@@ -8612,6 +8708,7 @@ class GnssAntennaCalibrationControl(Command[R]):
     __match_args__ = ("function", "enable", "max_offset")
 
     SET = 0x0D
+    SETS = (0x0D,)
     DESCRIPTOR = 0x64
     NAME = "filter.gnss_antenna_calibration_control"
     ROLE = "command"

@@ -350,6 +350,7 @@ class LlhPosition(Data):
     __match_args__ = ("latitude", "longitude", "ellipsoid_height", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x01
     NAME = "filter_data.llh_position"
     ROLE = "data"
@@ -413,6 +414,7 @@ class NedVelocity(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x02
     NAME = "filter_data.ned_velocity"
     ROLE = "data"
@@ -474,6 +476,7 @@ class AttitudeQuaternion(Data):
     __match_args__ = ("q", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x03
     NAME = "filter_data.attitude_quaternion"
     ROLE = "data"
@@ -525,6 +528,7 @@ class AttitudeDcm(Data):
     __match_args__ = ("dcm", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x04
     NAME = "filter_data.attitude_dcm"
     ROLE = "data"
@@ -575,6 +579,7 @@ class EulerAngles(Data):
     __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x05
     NAME = "filter_data.euler_angles"
     ROLE = "data"
@@ -633,6 +638,7 @@ class GyroBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x06
     NAME = "filter_data.gyro_bias"
     ROLE = "data"
@@ -680,6 +686,7 @@ class AccelBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x07
     NAME = "filter_data.accel_bias"
     ROLE = "data"
@@ -727,6 +734,7 @@ class LlhPositionUncertainty(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x08
     NAME = "filter_data.llh_position_uncertainty"
     ROLE = "data"
@@ -790,6 +798,7 @@ class NedVelocityUncertainty(Data):
     __match_args__ = ("north", "east", "down", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x09
     NAME = "filter_data.ned_velocity_uncertainty"
     ROLE = "data"
@@ -857,6 +866,7 @@ class EulerAnglesUncertainty(Data):
     __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0A
     NAME = "filter_data.euler_angles_uncertainty"
     ROLE = "data"
@@ -917,6 +927,7 @@ class GyroBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0B
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
@@ -968,6 +979,7 @@ class AccelBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0C
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
@@ -1020,6 +1032,7 @@ class LinearAccel(Data):
     __match_args__ = ("accel", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0D
     NAME = "filter_data.linear_accel"
     ROLE = "data"
@@ -1068,6 +1081,7 @@ class CompAngularRate(Data):
     __match_args__ = ("gyro", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0E
     NAME = "filter_data.comp_angular_rate"
     ROLE = "data"
@@ -1117,6 +1131,7 @@ class Wgs84GravityMagnitude(Data):
     __match_args__ = ("gravity_magnitude", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x0F
     NAME = "filter_data.wgs84_gravity_magnitude"
     ROLE = "data"
@@ -1166,6 +1181,7 @@ class Status(Data):
     __match_args__ = ("filter_state", "dynamics_mode", "status_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x10
     NAME = "filter_data.status"
     ROLE = "data"
@@ -1235,6 +1251,7 @@ class Timestamp(Data):
     __match_args__ = ("tow", "week_number", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x11
     NAME = "filter_data.timestamp"
     ROLE = "data"
@@ -1285,6 +1302,7 @@ class QuaternionAttitudeUncertainty(Data):
     __match_args__ = ("q", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x12
     NAME = "filter_data.quaternion_attitude_uncertainty"
     ROLE = "data"
@@ -1335,6 +1353,7 @@ class GravityVector(Data):
     __match_args__ = ("gravity", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x13
     NAME = "filter_data.gravity_vector"
     ROLE = "data"
@@ -1386,6 +1405,7 @@ class HeadingUpdateState(Data):
     __match_args__ = ("heading", "heading_uncertainty", "source", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x14
     NAME = "filter_data.heading_update_state"
     ROLE = "data"
@@ -1482,6 +1502,7 @@ class MagneticModel(Data):
     )
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x15
     NAME = "filter_data.magnetic_model"
     ROLE = "data"
@@ -1570,6 +1591,7 @@ class GyroScaleFactor(Data):
     __match_args__ = ("scale_factor", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x16
     NAME = "filter_data.gyro_scale_factor"
     ROLE = "data"
@@ -1621,6 +1643,7 @@ class AccelScaleFactor(Data):
     __match_args__ = ("scale_factor", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x17
     NAME = "filter_data.accel_scale_factor"
     ROLE = "data"
@@ -1674,6 +1697,7 @@ class GyroScaleFactorUncertainty(Data):
     __match_args__ = ("scale_factor_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x18
     NAME = "filter_data.gyro_scale_factor_uncertainty"
     ROLE = "data"
@@ -1731,6 +1755,7 @@ class AccelScaleFactorUncertainty(Data):
     __match_args__ = ("scale_factor_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x19
     NAME = "filter_data.accel_scale_factor_uncertainty"
     ROLE = "data"
@@ -1786,6 +1811,7 @@ class MagBias(Data):
     __match_args__ = ("bias", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x1A
     NAME = "filter_data.mag_bias"
     ROLE = "data"
@@ -1833,6 +1859,7 @@ class MagBiasUncertainty(Data):
     __match_args__ = ("bias_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x1B
     NAME = "filter_data.mag_bias_uncertainty"
     ROLE = "data"
@@ -1885,6 +1912,7 @@ class CompAccel(Data):
     __match_args__ = ("accel", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x1C
     NAME = "filter_data.comp_accel"
     ROLE = "data"
@@ -1956,6 +1984,7 @@ class StandardAtmosphere(Data):
     )
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x20
     NAME = "filter_data.standard_atmosphere"
     ROLE = "data"
@@ -2048,6 +2077,7 @@ class PressureAltitude(Data):
     __match_args__ = ("pressure_altitude", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x21
     NAME = "filter_data.pressure_altitude"
     ROLE = "data"
@@ -2095,6 +2125,7 @@ class DensityAltitude(Data):
     __match_args__ = ("density_altitude", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x22
     NAME = "filter_data.density_altitude"
     ROLE = "data"
@@ -2142,6 +2173,7 @@ class MagOffset(Data):
     __match_args__ = ("hard_iron", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x25
     NAME = "filter_data.mag_offset"
     ROLE = "data"
@@ -2192,6 +2224,7 @@ class MagMatrix(Data):
     __match_args__ = ("soft_iron", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x26
     NAME = "filter_data.mag_matrix"
     ROLE = "data"
@@ -2240,6 +2273,7 @@ class MagOffsetUncertainty(Data):
     __match_args__ = ("hard_iron_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x28
     NAME = "filter_data.mag_offset_uncertainty"
     ROLE = "data"
@@ -2293,6 +2327,7 @@ class MagMatrixUncertainty(Data):
     __match_args__ = ("soft_iron_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x29
     NAME = "filter_data.mag_matrix_uncertainty"
     ROLE = "data"
@@ -2349,6 +2384,7 @@ class MagCovarianceMatrix(Data):
     __match_args__ = ("covariance", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x2A
     NAME = "filter_data.mag_covariance_matrix"
     ROLE = "data"
@@ -2400,6 +2436,7 @@ class MagResidualVector(Data):
     __match_args__ = ("residual", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x2C
     NAME = "filter_data.mag_residual_vector"
     ROLE = "data"
@@ -2451,6 +2488,7 @@ class AntennaOffsetCorrection(Data):
     __match_args__ = ("offset", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x30
     NAME = "filter_data.antenna_offset_correction"
     ROLE = "data"
@@ -2502,6 +2540,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
     __match_args__ = ("offset_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x31
     NAME = "filter_data.antenna_offset_correction_uncertainty"
     ROLE = "data"
@@ -2553,6 +2592,7 @@ class ClockCorrection(Data):
     __match_args__ = ("receiver_id", "bias", "bias_drift", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x32
     NAME = "filter_data.clock_correction"
     ROLE = "data"
@@ -2616,6 +2656,7 @@ class ClockCorrectionUncertainty(Data):
     __match_args__ = ("receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x33
     NAME = "filter_data.clock_correction_uncertainty"
     ROLE = "data"
@@ -2688,6 +2729,7 @@ class MultiAntennaOffsetCorrection(Data):
     __match_args__ = ("receiver_id", "offset", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x34
     NAME = "filter_data.multi_antenna_offset_correction"
     ROLE = "data"
@@ -2749,6 +2791,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     __match_args__ = ("receiver_id", "offset_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x35
     NAME = "filter_data.multi_antenna_offset_correction_uncertainty"
     ROLE = "data"
@@ -2813,6 +2856,7 @@ class EcefPositionUncertainty(Data):
     __match_args__ = ("position_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x36
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
@@ -2864,6 +2908,7 @@ class EcefVelocityUncertainty(Data):
     __match_args__ = ("velocity_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x37
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
@@ -2915,6 +2960,7 @@ class EcefPosition(Data):
     __match_args__ = ("position", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x40
     NAME = "filter_data.ecef_position"
     ROLE = "data"
@@ -2964,6 +3010,7 @@ class EcefVelocity(Data):
     __match_args__ = ("velocity", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x41
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
@@ -3013,6 +3060,7 @@ class NedRelativePosition(Data):
     __match_args__ = ("relative_position", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x42
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
@@ -3068,6 +3116,7 @@ class GnssPositionAidingStatus(Data):
     __match_args__ = ("receiver_id", "tow", "status", "reserved")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x43
     NAME = "filter_data.gnss_position_aiding_status"
     ROLE = "data"
@@ -3136,6 +3185,7 @@ class GnssAttitudeAidingStatus(Data):
     __match_args__ = ("tow", "status", "reserved")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x44
     NAME = "filter_data.gnss_attitude_aiding_status"
     ROLE = "data"
@@ -3197,6 +3247,7 @@ class HeadingAidingStatus(Data):
     __match_args__ = ("tow", "type", "reserved")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x45
     NAME = "filter_data.heading_aiding_status"
     ROLE = "data"
@@ -3253,6 +3304,7 @@ class AidingMeasurementSummary(Data):
     __match_args__ = ("tow", "source", "type", "indicator")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x46
     NAME = "filter_data.aiding_measurement_summary"
     ROLE = "data"
@@ -3318,6 +3370,7 @@ class OdometerScaleFactorError(Data):
     __match_args__ = ("scale_factor_error", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x47
     NAME = "filter_data.odometer_scale_factor_error"
     ROLE = "data"
@@ -3364,6 +3417,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     __match_args__ = ("scale_factor_error_uncertainty", "valid_flags")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x48
     NAME = "filter_data.odometer_scale_factor_error_uncertainty"
     ROLE = "data"
@@ -3423,6 +3477,7 @@ class GnssDualAntennaStatus(Data):
     )
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x49
     NAME = "filter_data.gnss_dual_antenna_status"
     ROLE = "data"
@@ -3510,6 +3565,7 @@ class AidingFrameConfigError(Data):
     __match_args__ = ("frame_id", "translation", "attitude")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x50
     NAME = "filter_data.aiding_frame_config_error"
     ROLE = "data"
@@ -3574,6 +3630,7 @@ class AidingFrameConfigErrorUncertainty(Data):
     __match_args__ = ("frame_id", "translation_uncertainty", "attitude_uncertainty")
 
     SET = 0x82
+    SETS = (0x82,)
     DESCRIPTOR = 0x51
     NAME = "filter_data.aiding_frame_config_error_uncertainty"
     ROLE = "data"

@@ -129,6 +129,7 @@ class ReceiverInfoResponse(Response):
     __match_args__ = ("receiver_info",)
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x81
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
@@ -179,6 +180,7 @@ class SignalConfigResponse(Response):
     __match_args__ = ("gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", "reserved")
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x82
     NAME = "gnss.signal_config_response"
     ROLE = "response"
@@ -253,6 +255,7 @@ class RtkDongleConfigResponse(Response):
     __match_args__ = ("enable", "reserved")
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x90
     NAME = "gnss.rtk_dongle_config_response"
     ROLE = "response"
@@ -328,6 +331,7 @@ class SpartnConfigResponse(Response):
     )
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0xA0
     NAME = "gnss.spartn_config_response"
     ROLE = "response"
@@ -429,6 +433,7 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
     __slots__ = ()
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x01
     NAME = "gnss.receiver_info"
     ROLE = "command"
@@ -491,6 +496,7 @@ class SignalConfig(Command[R]):
     )
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x02
     NAME = "gnss.signal_config"
     ROLE = "command"
@@ -660,6 +666,7 @@ class RtkDongleConfig(Command[R]):
     __match_args__ = ("function", "enable", "reserved")
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x10
     NAME = "gnss.rtk_dongle_config"
     ROLE = "command"
@@ -817,6 +824,7 @@ class SpartnConfig(Command[R]):
     )
 
     SET = 0x0E
+    SETS = (0x0E,)
     DESCRIPTOR = 0x20
     NAME = "gnss.spartn_config"
     ROLE = "command"

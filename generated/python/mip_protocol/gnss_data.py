@@ -1,543 +1,5136 @@
-"""GNSS data (0x81).
+"""GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95).
 
-Measurements and status of the GNSS receiver of 4-series and 5-series devices.
+Measurements and status of GNSS receivers. Each receiver has a descriptor set; all have the same
+fields.
 
-Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
-data sets the same fields.
+Uncertain: Which devices send the fields that no manual lists for a set. The SDK gives all GNSS data
+sets the same fields.
 
-- mip-sdk-4: Gnss Data (0x81)
+- gnss_data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
+- gnss_1 (0x91): Measurements and status of the first internal GNSS receiver.
+- gnss_2 (0x92): Measurements and status of the second internal GNSS receiver.
+- gnss_corrections (0x93): RTK corrections that the device receives. Data is sent as it is received.
+- gnss_external (0x94): Data that an external GNSS receiver sends to the device in NMEA sentences. A
+  field may need several sentences; a value that NMEA does not provide is not valid. Times are those
+  of the sentences.
+- gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain:
+  The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls
+  the set GNSS 5.
 """
 
 from __future__ import annotations
 
-from . import gnss_1
-from .field import Field
+from collections.abc import Sequence
+from enum import IntFlag
+
+from . import codec, types
+from .field import Data, Field, Shared
 
 
-class LlhPosition(gnss_1.LlhPosition):
-    """GNSS LLH position (0x81,0x03).
+@codec.open_flag(16)
+class LlhPositionFlags(IntFlag):
+    """Which parts of the position are valid."""
+
+    LAT_LON = 1 << 0
+    """Latitude and longitude. Bit 0."""
+    ELLIPSOID_HEIGHT = 1 << 1
+    """Height above the ellipsoid. Bit 1."""
+    MSL_HEIGHT = 1 << 2
+    """Height above mean sea level. Bit 2."""
+    HORIZONTAL_ACCURACY = 1 << 3
+    """Horizontal accuracy. Bit 3."""
+    VERTICAL_ACCURACY = 1 << 4
+    """Vertical accuracy. Bit 4."""
+    FLAGS = 0x1F
+    """All of them. Bits 0 to 4. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class EcefPositionFlags(IntFlag):
+    """Which parts of the position are valid."""
+
+    POSITION = 1 << 0
+    """Position. Bit 0."""
+    POSITION_ACCURACY = 1 << 1
+    """Accuracy of the position. Bit 1."""
+    FLAGS = 0x3
+    """All of them. Bits 0 to 1. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class NedVelocityFlags(IntFlag):
+    """Which parts of the velocity are valid."""
+
+    VELOCITY = 1 << 0
+    """Velocity vector. Bit 0."""
+    SPEED_3D = 1 << 1
+    """Speed in space. Bit 1."""
+    GROUND_SPEED = 1 << 2
+    """Speed over ground. Bit 2."""
+    HEADING = 1 << 3
+    """Heading. Bit 3."""
+    SPEED_ACCURACY = 1 << 4
+    """Accuracy of the speed. Bit 4."""
+    HEADING_ACCURACY = 1 << 5
+    """Accuracy of the heading. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class EcefVelocityFlags(IntFlag):
+    """Which parts of the velocity are valid."""
+
+    VELOCITY = 1 << 0
+    """Velocity. Bit 0."""
+    VELOCITY_ACCURACY = 1 << 1
+    """Accuracy of the velocity. Bit 1."""
+    FLAGS = 0x3
+    """All of them. Bits 0 to 1. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class DopFlags(IntFlag):
+    """Which dilutions of precision are valid."""
+
+    GDOP = 1 << 0
+    """Geometric. Bit 0."""
+    PDOP = 1 << 1
+    """Position. Bit 1."""
+    HDOP = 1 << 2
+    """Horizontal. Bit 2."""
+    VDOP = 1 << 3
+    """Vertical. Bit 3."""
+    TDOP = 1 << 4
+    """Time. Bit 4."""
+    NDOP = 1 << 5
+    """Northing. Bit 5."""
+    EDOP = 1 << 6
+    """Easting. Bit 6."""
+    FLAGS = 0x7F
+    """All of them. Bits 0 to 6. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class UtcTimeFlags(IntFlag):
+    """Which parts of the UTC time are valid."""
+
+    GNSS_DATE_TIME = 1 << 0
+    """Date and time come from GNSS. Bit 0."""
+    LEAP_SECONDS_KNOWN = 1 << 1
+    """The leap seconds between GPS time and UTC are known. Bit 1."""
+    FLAGS = 0x3
+    """All of them. Bits 0 to 1. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class GpsTimeFlags(IntFlag):
+    """Which parts of the time are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    FLAGS = 0x3
+    """All of them. Bits 0 to 1. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class ClockInfoFlags(IntFlag):
+    """Which clock parameters are valid."""
+
+    BIAS = 1 << 0
+    """Bias. Bit 0."""
+    DRIFT = 1 << 1
+    """Drift. Bit 1."""
+    ACCURACY_ESTIMATE = 1 << 2
+    """Accuracy. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class FixFlags(IntFlag):
+    """What the fix uses."""
+
+    SBAS_USED = 1 << 0
+    """Satellite based augmentation. Bit 0."""
+    DGNSS_USED = 1 << 1
+    """Differential corrections. Bit 1."""
+
+
+@codec.open_flag(16)
+class FixInfoFlags(IntFlag):
+    """Which parts of the fix information are valid."""
+
+    FIX_TYPE = 1 << 0
+    """Type of the fix. Bit 0."""
+    NUM_SV = 1 << 1
+    """Number of satellites. Bit 1."""
+    FIX_FLAGS = 1 << 2
+    """Fix flags. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class SvFlags(IntFlag):
+    """State of a satellite."""
+
+    USED_FOR_NAVIGATION = 1 << 0
+    """The position fix uses it. Bit 0."""
+    HEALTHY = 1 << 1
+    """It is healthy. Bit 1."""
+
+
+@codec.open_flag(16)
+class SvInfoFlags(IntFlag):
+    """Which parts of the satellite info are valid."""
+
+    CHANNEL = 1 << 0
+    """Channel. Bit 0."""
+    SATELLITE_ID = 1 << 1
+    """Satellite. Bit 1."""
+    CARRIER_NOISE_RATIO = 1 << 2
+    """Carrier to noise density ratio. Bit 2."""
+    AZIMUTH = 1 << 3
+    """Azimuth. Bit 3."""
+    ELEVATION = 1 << 4
+    """Elevation. Bit 4."""
+    SV_FLAGS = 1 << 5
+    """State of the satellite. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+class ReceiverState(codec.OpenEnum):
+    """State of the receiver."""
+
+    OFF = 0
+    """Off."""
+    ON = 1
+    """On."""
+    UNKNOWN = 2
+    """Not known."""
+
+
+class AntennaState(codec.OpenEnum):
+    """State of the antenna."""
+
+    INIT = 1
+    """Being initialized."""
+    SHORT = 2
+    """Short circuit."""
+    OPEN = 3
+    """Open circuit, no antenna."""
+    GOOD = 4
+    """Good."""
+    UNKNOWN = 5
+    """Not known."""
+
+
+class AntennaPower(codec.OpenEnum):
+    """Supply of the antenna."""
+
+    OFF = 0
+    """Off."""
+    ON = 1
+    """On."""
+    UNKNOWN = 2
+    """Not known."""
+
+
+@codec.open_flag(16)
+class HardwareStatusFlags(IntFlag):
+    """Which parts of the hardware status are valid."""
+
+    SENSOR_STATE = 1 << 0
+    """State of the receiver. Bit 0."""
+    ANTENNA_STATE = 1 << 1
+    """State of the antenna. Bit 1."""
+    ANTENNA_POWER = 1 << 2
+    """Supply of the antenna. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class DgpsInfoFlags(IntFlag):
+    """Which parts of the state of the corrections are valid."""
+
+    AGE = 1 << 0
+    """Age. Bit 0."""
+    BASE_STATION_ID = 1 << 1
+    """Number of the base station. Bit 1."""
+    BASE_STATION_STATUS = 1 << 2
+    """State of the base station. Bit 2."""
+    NUM_CHANNELS = 1 << 3
+    """Number of channels. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class DgpsChannelFlags(IntFlag):
+    """Which parts of a differential correction are valid."""
+
+    SATELLITE_ID = 1 << 0
+    """Satellite. Bit 0."""
+    AGE = 1 << 1
+    """Age. Bit 1."""
+    RANGE_CORRECTION = 1 << 2
+    """Correction of the range. Bit 2."""
+    RANGE_RATE_CORRECTION = 1 << 3
+    """Correction of the range rate. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class ClockInfo2Flags(IntFlag):
+    """Which clock parameters are valid."""
+
+    BIAS = 1 << 0
+    """Bias. Bit 0."""
+    DRIFT = 1 << 1
+    """Drift. Bit 1."""
+    BIAS_ACCURACY = 1 << 2
+    """Accuracy of the bias. Bit 2."""
+    DRIFT_ACCURACY = 1 << 3
+    """Accuracy of the drift. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class GpsLeapSecondsFlags(IntFlag):
+    """Whether the leap seconds are valid. Bit 0 is not used."""
+
+    LEAP_SECONDS = 1 << 1
+    """Leap seconds. Bit 1."""
+
+
+class SbasSystem(codec.OpenEnum):
+    """Satellite based augmentation system."""
+
+    UNKNOWN = 0
+    """Not known."""
+    WAAS = 1
+    """North America."""
+    EGNOS = 2
+    """Europe."""
+    MSAS = 3
+    """Japan."""
+    GAGAN = 4
+    """India."""
+
+
+@codec.open_flag(8)
+class SbasStatus(IntFlag):
+    """What the SBAS service offers."""
+
+    RANGE_AVAILABLE = 1 << 0
+    """Ranging is available. Bit 0."""
+    CORRECTIONS_AVAILABLE = 1 << 1
+    """Corrections are available. Bit 1."""
+    INTEGRITY_AVAILABLE = 1 << 2
+    """Integrity information is available. Bit 2."""
+    TEST_MODE = 1 << 3
+    """The service is in test mode. Bit 3."""
+
+
+@codec.open_flag(16)
+class SbasInfoFlags(IntFlag):
+    """Which parts of the SBAS status are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    SBAS_SYSTEM = 1 << 2
+    """System. Bit 2."""
+    SBAS_ID = 1 << 3
+    """Satellite. Bit 3."""
+    COUNT = 1 << 4
+    """Number of corrections. Bit 4."""
+    SBAS_STATUS = 1 << 5
+    """Status of the service. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class SbasCorrectionFlags(IntFlag):
+    """Which parts of an SBAS correction are valid."""
+
+    UDREI = 1 << 0
+    """Indicator of the range error. Bit 0."""
+    PSEUDORANGE_CORRECTION = 1 << 1
+    """Correction of the pseudorange. Bit 1."""
+    IONO_CORRECTION = 1 << 2
+    """Correction of the ionospheric delay. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+class RfBand(codec.OpenEnum):
+    """Frequency band of GNSS signals."""
+
+    UNKNOWN = 0
+    """Not known."""
+    L1 = 1
+    """L1."""
+    L2 = 2
+    """L2."""
+    L5 = 5
+    """L5."""
+
+
+class JammingState(codec.OpenEnum):
+    """How much the reception is jammed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+class SpoofingState(codec.OpenEnum):
+    """How much the signals are spoofed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+@codec.open_flag(16)
+class RfErrorDetectionFlags(IntFlag):
+    """Which parts of the detection are valid."""
+
+    RF_BAND = 1 << 0
+    """Band. Bit 0."""
+    JAMMING_STATE = 1 << 1
+    """Jamming. Bit 1."""
+    SPOOFING_STATE = 1 << 2
+    """Spoofing. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class SatelliteStatusFlags(IntFlag):
+    """Which parts of the satellite status are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    GNSS_ID = 1 << 2
+    """Constellation. Bit 2."""
+    SATELLITE_ID = 1 << 3
+    """Satellite. Bit 3."""
+    ELEVATION = 1 << 4
+    """Elevation. Bit 4."""
+    AZIMUTH = 1 << 5
+    """Azimuth. Bit 5."""
+    HEALTH = 1 << 6
+    """Health. Bit 6."""
+    FLAGS = 0x7F
+    """All of them. Bits 0 to 6. Overlaps other bits."""
+
+
+class SignalQuality(codec.OpenEnum):
+    """How well a signal is tracked."""
+
+    NONE = 0
+    """No signal."""
+    SEARCHING = 1
+    """The signal is being searched for."""
+    ACQUIRED = 2
+    """The signal is acquired."""
+    UNUSABLE = 3
+    """The signal is found but cannot be used."""
+    TIME_LOCKED = 4
+    """Locked in time."""
+    FULLY_LOCKED = 5
+    """Fully locked."""
+
+
+@codec.open_flag(16)
+class RawFlags(IntFlag):
+    """Which parts of the observation are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    RECEIVER_ID = 1 << 2
+    """Receiver or reference station. Bit 2."""
+    TRACKING_CHANNEL = 1 << 3
+    """Tracking channel. Bit 3."""
+    GNSS_ID = 1 << 4
+    """Constellation. Bit 4."""
+    SATELLITE_ID = 1 << 5
+    """Satellite. Bit 5."""
+    SIGNAL_ID = 1 << 6
+    """Signal. Bit 6."""
+    SIGNAL_STRENGTH = 1 << 7
+    """Signal strength. Bit 7."""
+    QUALITY = 1 << 8
+    """Signal quality. Bit 8."""
+    PSEUDORANGE = 1 << 9
+    """Pseudorange. Bit 9."""
+    CARRIER_PHASE = 1 << 10
+    """Carrier phase. Bit 10."""
+    DOPPLER = 1 << 11
+    """Doppler shift. Bit 11."""
+    RANGE_UNCERTAINTY = 1 << 12
+    """Uncertainty of the pseudorange. Bit 12."""
+    CARRIER_PHASE_UNCERTAINTY = 1 << 13
+    """Uncertainty of the carrier phase. Bit 13."""
+    DOPPLER_UNCERTAINTY = 1 << 14
+    """Uncertainty of the Doppler shift. Bit 14."""
+    LOCK_TIME = 1 << 15
+    """Lock time. Bit 15."""
+    FLAGS = 0xFFFF
+    """All of them. Bits 0 to 15. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BaseStationIndicators(IntFlag):
+    """Properties of a base station, as its RTCM message gives them."""
+
+    GPS = 1 << 0
+    """GPS is supported. Bit 0."""
+    GLONASS = 1 << 1
+    """GLONASS is supported. Bit 1."""
+    GALILEO = 1 << 2
+    """Galileo is supported. Bit 2."""
+    BEIDOU = 1 << 3
+    """BeiDou is supported. Bit 3."""
+    REFERENCE_STATION = 1 << 4
+    """Reference station indicator. Bit 4."""
+    SINGLE_RECEIVER = 1 << 5
+    """Single receiver oscillator indicator. Bit 5."""
+    QUARTER_CYCLE_BIT1 = 1 << 6
+    """First bit of the quarter cycle indicator. Bit 6."""
+    QUARTER_CYCLE_BIT2 = 1 << 7
+    """Second bit of the quarter cycle indicator. Bit 7."""
+    QUARTER_CYCLE_BITS = 0xC0
+    """Quarter cycle indicator. Bits 6 to 7. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BaseStationInfoFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ECEF_POSITION = 1 << 2
+    """Position. Bit 2."""
+    HEIGHT = 1 << 3
+    """Antenna height. Bit 3."""
+    STATION_ID = 1 << 4
+    """Station. Bit 4."""
+    INDICATORS = 1 << 5
+    """Indicators. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class RtkEpochStatus(IntFlag):
+    """Corrections received during an epoch."""
+
+    ANTENNA_LOCATION_RECEIVED = 1 << 0
+    """Antenna location. Bit 0."""
+    ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
+    """Antenna description. Bit 1."""
+    GPS_RECEIVED = 1 << 2
+    """GPS corrections. Bit 2."""
+    GLONASS_RECEIVED = 1 << 3
+    """GLONASS corrections. Bit 3."""
+    GALILEO_RECEIVED = 1 << 4
+    """Galileo corrections. Bit 4."""
+    BEIDOU_RECEIVED = 1 << 5
+    """BeiDou corrections. Bit 5."""
+    USING_GPS_MSM_MESSAGES = 1 << 6
+    """GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6."""
+    USING_GLONASS_MSM_MESSAGES = 1 << 7
+    """GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012. Bit 7.
+    """
+    DONGLE_STATUS_READ_FAILED = 1 << 8
+    """The status of the dongle could not be read. Bit 8."""
+
+
+@codec.open_flag(16)
+class RtkCorrectionsStatusFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    EPOCH_STATUS = 1 << 2
+    """Epoch status. Bit 2."""
+    DONGLE_STATUS = 1 << 3
+    """Status of the dongle. Bit 3."""
+    GPS_LATENCY = 1 << 4
+    """Latency of GPS corrections. Bit 4."""
+    GLONASS_LATENCY = 1 << 5
+    """Latency of GLONASS corrections. Bit 5."""
+    GALILEO_LATENCY = 1 << 6
+    """Latency of Galileo corrections. Bit 6."""
+    BEIDOU_LATENCY = 1 << 7
+    """Latency of BeiDou corrections. Bit 7."""
+    FLAGS = 0xFF
+    """All of them. Bits 0 to 7. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class EphemerisFlags(IntFlag):
+    """What an ephemeris of GPS, Galileo or BeiDou holds."""
+
+    EPHEMERIS = 1 << 0
+    """The ephemeris is valid. Bit 0."""
+    MODERN_DATA = 1 << 1
+    """The data of the modernized navigation message are included. Bit 1."""
+    ISC_L5 = 1 << 2
+    """`isc_l2c` is the correction for L5, not for L2. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+class GlonassSatelliteType(codec.OpenEnum):
+    """Generation of a GLONASS satellite."""
+
+    GLONASS = 0
+    """GLONASS."""
+    GLONASS_M = 1
+    """GLONASS-M."""
+
+
+@codec.open_flag(16)
+class GlonassEphemerisFlags(IntFlag):
+    """Whether the ephemeris is valid."""
+
+    EPHEMERIS = 1 << 0
+    """The ephemeris is valid. Bit 0."""
+    FLAGS = 1 << 0
+    """All of them. Bit 0. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class GpsIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients alpha. Bit 2."""
+    BETA = 1 << 3
+    """Coefficients beta. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class GalileoIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients. Bit 2."""
+    DISTURBANCE_FLAGS = 1 << 3
+    """Storm flags. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BeidouIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients alpha. Bit 2."""
+    BETA = 1 << 3
+    """Coefficients beta. Bit 3."""
+    ALPHA_CORRECTION = 1 << 4
+    """Further coefficients. Bit 4."""
+    FLAGS = 0x1F
+    """All of them. Bits 0 to 4. Overlaps other bits."""
+
+
+_LLH_POSITION_0 = codec.Block(
+    "ddddffH",
+    "latitude",
+    "longitude",
+    "ellipsoid_height",
+    "msl_height",
+    "horizontal_accuracy",
+    "vertical_accuracy",
+    "valid_flags",
+)
+
+
+class LlhPosition(Shared, Data):
+    """GNSS LLH position (0x03).
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. May be supported by 3DM-GX5-35
-    and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS. May be supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "latitude",
+        "longitude",
+        "ellipsoid_height",
+        "msl_height",
+        "horizontal_accuracy",
+        "vertical_accuracy",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "latitude",
+        "longitude",
+        "ellipsoid_height",
+        "msl_height",
+        "horizontal_accuracy",
+        "vertical_accuracy",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x03
     NAME = "gnss_data.llh_position"
+    ROLE = "data"
+    _LAYOUT = (
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("ellipsoid_height", "d", None),
+        ("msl_height", "d", None),
+        ("horizontal_accuracy", "f", None),
+        ("vertical_accuracy", "f", None),
+        ("valid_flags", "H", LlhPositionFlags),
+    )
+
+    latitude: float
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
+    """
+    longitude: float
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is
+    set.
+    """
+    ellipsoid_height: float
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
+    of `valid_flags` is set.
+    """
+    msl_height: float
+    """Height above mean sea level. Unit: m. Valid if `LlhPositionFlags.MSL_HEIGHT` of `valid_flags`
+    is set.
+    """
+    horizontal_accuracy: float
+    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
+    `valid_flags` is set.
+    """
+    vertical_accuracy: float
+    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
+    set.
+    """
+    valid_flags: LlhPositionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        latitude: float,
+        longitude: float,
+        ellipsoid_height: float,
+        msl_height: float,
+        horizontal_accuracy: float,
+        vertical_accuracy: float,
+        valid_flags: LlhPositionFlags,
+    ) -> None:
+        self.latitude = latitude
+        self.longitude = longitude
+        self.ellipsoid_height = ellipsoid_height
+        self.msl_height = msl_height
+        self.horizontal_accuracy = horizontal_accuracy
+        self.vertical_accuracy = vertical_accuracy
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
+        at += 42
+        latitude = v[0]
+        longitude = v[1]
+        ellipsoid_height = v[2]
+        msl_height = v[3]
+        horizontal_accuracy = v[4]
+        vertical_accuracy = v[5]
+        valid_flags = LlhPositionFlags(v[6])
+        return cls(
+            latitude,
+            longitude,
+            ellipsoid_height,
+            msl_height,
+            horizontal_accuracy,
+            vertical_accuracy,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _LLH_POSITION_0.write(
+            self.latitude,
+            self.longitude,
+            self.ellipsoid_height,
+            self.msl_height,
+            self.horizontal_accuracy,
+            self.vertical_accuracy,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class EcefPosition(gnss_1.EcefPosition):
-    """GNSS ECEF position (0x81,0x04).
+_ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
+
+
+class EcefPosition(Shared, Data):
+    """GNSS ECEF position (0x04).
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. May be supported by 3DM-GX5-35
-    and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS. May be
+    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
+    - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
     """
 
-    __slots__ = ()
+    __slots__ = ("position", "position_accuracy", "valid_flags")
+    __match_args__ = ("position", "position_accuracy", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x04
     NAME = "gnss_data.ecef_position"
+    ROLE = "data"
+    _LAYOUT = (
+        ("position", "ddd", types.Vector3d),
+        ("position_accuracy", "f", None),
+        ("valid_flags", "H", EcefPositionFlags),
+    )
+    _VECTORS = {"position": (types.Vector3d,)}
+
+    position: types.Vector3d
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
+    `valid_flags` is set.
+    """
+    position_accuracy: float
+    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefPositionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        position: types.Vector3d | codec.Numbers,
+        position_accuracy: float,
+        valid_flags: EcefPositionFlags,
+    ) -> None:
+        self.position = codec.vector(position, types.Vector3d)
+        self.position_accuracy = position_accuracy
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
+        at += 30
+        position = types.Vector3d._make(v[0:3])
+        position_accuracy = v[3]
+        valid_flags = EcefPositionFlags(v[4])
+        return cls(position, position_accuracy, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_POSITION_0.write(
+            *codec.elements("position", self.position, 3), self.position_accuracy, self.valid_flags
+        )
+        return codec.finished(out)
 
 
-class NedVelocity(gnss_1.NedVelocity):
-    """NED velocity (0x81,0x05).
+_NED_VELOCITY_0 = codec.Block(
+    "ffffffffH",
+    *["velocity"] * 3,
+    "speed",
+    "ground_speed",
+    "heading",
+    "speed_accuracy",
+    "heading_accuracy",
+    "valid_flags",
+)
+
+
+class NedVelocity(Shared, Data):
+    """NED velocity (0x05).
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. May be supported by 3DM-GX5-35
-    and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS. May be
+    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
+    - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
+    - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "velocity",
+        "speed",
+        "ground_speed",
+        "heading",
+        "speed_accuracy",
+        "heading_accuracy",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "velocity",
+        "speed",
+        "ground_speed",
+        "heading",
+        "speed_accuracy",
+        "heading_accuracy",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x05
     NAME = "gnss_data.ned_velocity"
+    ROLE = "data"
+    _LAYOUT = (
+        ("velocity", "fff", types.Ned3f),
+        ("speed", "f", None),
+        ("ground_speed", "f", None),
+        ("heading", "f", None),
+        ("speed_accuracy", "f", None),
+        ("heading_accuracy", "f", None),
+        ("valid_flags", "H", NedVelocityFlags),
+    )
+    _VECTORS = {"velocity": (types.Ned3f,)}
+
+    velocity: types.Ned3f
+    """Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
+    `NedVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """
+    speed: float
+    """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
+    ground_speed: float
+    """Speed over ground. Unit: m/s. Valid if `NedVelocityFlags.GROUND_SPEED` of `valid_flags` is
+    set.
+    """
+    heading: float
+    """Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
+    `NedVelocityFlags.HEADING` of `valid_flags` is set.
+    """
+    speed_accuracy: float
+    """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
+    is set.
+    """
+    heading_accuracy: float
+    """Accuracy of the heading. Unit: deg. Valid if `NedVelocityFlags.HEADING_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: NedVelocityFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        velocity: types.Ned3f | codec.Numbers,
+        speed: float,
+        ground_speed: float,
+        heading: float,
+        speed_accuracy: float,
+        heading_accuracy: float,
+        valid_flags: NedVelocityFlags,
+    ) -> None:
+        self.velocity = codec.vector(velocity, types.Ned3f)
+        self.speed = speed
+        self.ground_speed = ground_speed
+        self.heading = heading
+        self.speed_accuracy = speed_accuracy
+        self.heading_accuracy = heading_accuracy
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
+        v = _NED_VELOCITY_0.read(raw, at)
+        at += 34
+        velocity = types.Ned3f._make(v[0:3])
+        speed = v[3]
+        ground_speed = v[4]
+        heading = v[5]
+        speed_accuracy = v[6]
+        heading_accuracy = v[7]
+        valid_flags = NedVelocityFlags(v[8])
+        return cls(
+            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _NED_VELOCITY_0.write(
+            *codec.elements("velocity", self.velocity, 3),
+            self.speed,
+            self.ground_speed,
+            self.heading,
+            self.speed_accuracy,
+            self.heading_accuracy,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class EcefVelocity(gnss_1.EcefVelocity):
-    """GNSS ECEF velocity (0x81,0x06).
+_ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
+
+
+class EcefVelocity(Shared, Data):
+    """GNSS ECEF velocity (0x06).
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. Supported by 3DM-GX5-35. May be
-    supported by 3DM-GX5-45.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-35. May be supported by 3DM-CV7-INS and 3DM-GX5-45.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
+    - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
+    - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
     """
 
-    __slots__ = ()
+    __slots__ = ("velocity", "velocity_accuracy", "valid_flags")
+    __match_args__ = ("velocity", "velocity_accuracy", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x06
     NAME = "gnss_data.ecef_velocity"
+    ROLE = "data"
+    _LAYOUT = (
+        ("velocity", "fff", types.Vector3f),
+        ("velocity_accuracy", "f", None),
+        ("valid_flags", "H", EcefVelocityFlags),
+    )
+    _VECTORS = {"velocity": (types.Vector3f,)}
+
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
+    `valid_flags` is set.
+    """
+    velocity_accuracy: float
+    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefVelocityFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        velocity: types.Vector3f | codec.Numbers,
+        velocity_accuracy: float,
+        valid_flags: EcefVelocityFlags,
+    ) -> None:
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.velocity_accuracy = velocity_accuracy
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
+        at += 18
+        velocity = types.Vector3f._make(v[0:3])
+        velocity_accuracy = v[3]
+        valid_flags = EcefVelocityFlags(v[4])
+        return cls(velocity, velocity_accuracy, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_VELOCITY_0.write(
+            *codec.elements("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
+        )
+        return codec.finished(out)
 
 
-class Dop(gnss_1.Dop):
-    """DOP (0x81,0x07).
+_DOP_0 = codec.Block(
+    "fffffffH", "gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags"
+)
+
+
+class Dop(Shared, Data):
+    """DOP (0x07).
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
+    - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
     """
 
-    __slots__ = ()
+    __slots__ = ("gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags")
+    __match_args__ = ("gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x07
     NAME = "gnss_data.dop"
+    ROLE = "data"
+    _LAYOUT = (
+        ("gdop", "f", None),
+        ("pdop", "f", None),
+        ("hdop", "f", None),
+        ("vdop", "f", None),
+        ("tdop", "f", None),
+        ("ndop", "f", None),
+        ("edop", "f", None),
+        ("valid_flags", "H", DopFlags),
+    )
+
+    gdop: float
+    """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
+    pdop: float
+    """Position dilution. Unit: 1. Valid if `DopFlags.PDOP` of `valid_flags` is set."""
+    hdop: float
+    """Horizontal dilution. Unit: 1. Valid if `DopFlags.HDOP` of `valid_flags` is set."""
+    vdop: float
+    """Vertical dilution. Unit: 1. Valid if `DopFlags.VDOP` of `valid_flags` is set."""
+    tdop: float
+    """Time dilution. Unit: 1. Valid if `DopFlags.TDOP` of `valid_flags` is set."""
+    ndop: float
+    """Northing dilution. Unit: 1. Valid if `DopFlags.NDOP` of `valid_flags` is set."""
+    edop: float
+    """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
+    valid_flags: DopFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        gdop: float,
+        pdop: float,
+        hdop: float,
+        vdop: float,
+        tdop: float,
+        ndop: float,
+        edop: float,
+        valid_flags: DopFlags,
+    ) -> None:
+        self.gdop = gdop
+        self.pdop = pdop
+        self.hdop = hdop
+        self.vdop = vdop
+        self.tdop = tdop
+        self.ndop = ndop
+        self.edop = edop
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Dop, int]:
+        v = _DOP_0.read(raw, at)
+        at += 30
+        gdop = v[0]
+        pdop = v[1]
+        hdop = v[2]
+        vdop = v[3]
+        tdop = v[4]
+        ndop = v[5]
+        edop = v[6]
+        valid_flags = DopFlags(v[7])
+        return cls(gdop, pdop, hdop, vdop, tdop, ndop, edop, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DOP_0.write(
+            self.gdop,
+            self.pdop,
+            self.hdop,
+            self.vdop,
+            self.tdop,
+            self.ndop,
+            self.edop,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class UtcTime(gnss_1.UtcTime):
-    """UTC time (0x81,0x08).
+_UTC_TIME_0 = codec.Block(
+    "HBBBBBIH", "year", "month", "day", "hour", "min", "sec", "msec", "valid_flags"
+)
+
+
+class UtcTime(Shared, Data):
+    """UTC time (0x08).
 
     Coordinated universal time as the receiver knows it.
 
-    Has the layout of `gnss_1.UtcTime`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
+    - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
+    - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
     """
 
-    __slots__ = ()
+    __slots__ = ("year", "month", "day", "hour", "min", "sec", "msec", "valid_flags")
+    __match_args__ = ("year", "month", "day", "hour", "min", "sec", "msec", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x08
     NAME = "gnss_data.utc_time"
+    ROLE = "data"
+    _LAYOUT = (
+        ("year", "H", None),
+        ("month", "B", None),
+        ("day", "B", None),
+        ("hour", "B", None),
+        ("min", "B", None),
+        ("sec", "B", None),
+        ("msec", "I", None),
+        ("valid_flags", "H", UtcTimeFlags),
+    )
+
+    year: int
+    """Year. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    month: int
+    """Month. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    day: int
+    """Day of the month. Range: 1 to 31. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
+    hour: int
+    """Hour. Range: 0 to 23. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    min: int
+    """Minute. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    sec: int
+    """Second. Unit: s. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
+    msec: int
+    """Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of
+    `valid_flags` is set.
+    """
+    valid_flags: UtcTimeFlags
+    """Which parts of the time are valid."""
+
+    def __init__(
+        self,
+        year: int,
+        month: int,
+        day: int,
+        hour: int,
+        min: int,
+        sec: int,
+        msec: int,
+        valid_flags: UtcTimeFlags,
+    ) -> None:
+        self.year = year
+        self.month = month
+        self.day = day
+        self.hour = hour
+        self.min = min
+        self.sec = sec
+        self.msec = msec
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[UtcTime, int]:
+        v = _UTC_TIME_0.read(raw, at)
+        at += 13
+        year = v[0]
+        month = v[1]
+        day = v[2]
+        hour = v[3]
+        min = v[4]
+        sec = v[5]
+        msec = v[6]
+        valid_flags = UtcTimeFlags(v[7])
+        return cls(year, month, day, hour, min, sec, msec, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _UTC_TIME_0.write(
+            self.year,
+            self.month,
+            self.day,
+            self.hour,
+            self.min,
+            self.sec,
+            self.msec,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GpsTime(gnss_1.GpsTime):
-    """GPS time (0x81,0x09).
+_GPS_TIME_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
+
+
+class GpsTime(Shared, Data):
+    """GPS time (0x09).
 
     GPS time as the receiver knows it.
 
-    Has the layout of `gnss_1.GpsTime`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-35
+    and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
+    - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
     """
 
-    __slots__ = ()
+    __slots__ = ("tow", "week_number", "valid_flags")
+    __match_args__ = ("tow", "week_number", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x09
     NAME = "gnss_data.gps_time"
+    ROLE = "data"
+    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", GpsTimeFlags))
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
+    valid_flags: GpsTimeFlags
+    """Which values are valid."""
+
+    def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTime, int]:
+        v = _GPS_TIME_0.read(raw, at)
+        at += 12
+        tow = v[0]
+        week_number = v[1]
+        valid_flags = GpsTimeFlags(v[2])
+        return cls(tow, week_number, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIME_0.write(self.tow, self.week_number, self.valid_flags)
+        return codec.finished(out)
 
 
-class ClockInfo(gnss_1.ClockInfo):
-    """Clock info (0x81,0x0A).
+_CLOCK_INFO_0 = codec.Block("dddH", "bias", "drift", "accuracy_estimate", "valid_flags")
+
+
+class ClockInfo(Shared, Data):
+    """Clock info (0x0A).
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
     from the MicroStrain MIP SDK.
 
     Clock info 2 replaces it and gives more detail.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Clock Info (0x81,0x0A)
     """
 
-    __slots__ = ()
+    __slots__ = ("bias", "drift", "accuracy_estimate", "valid_flags")
+    __match_args__ = ("bias", "drift", "accuracy_estimate", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0A
     NAME = "gnss_data.clock_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("bias", "d", None),
+        ("drift", "d", None),
+        ("accuracy_estimate", "d", None),
+        ("valid_flags", "H", ClockInfoFlags),
+    )
+
+    bias: float
+    """Bias of the clock. Unit: s. Valid if `ClockInfoFlags.BIAS` of `valid_flags` is set."""
+    drift: float
+    """Drift of the clock. Unit: s/s. Valid if `ClockInfoFlags.DRIFT` of `valid_flags` is set."""
+    accuracy_estimate: float
+    """Estimated accuracy. Unit: s. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is
+    set.
+    """
+    valid_flags: ClockInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
+    ) -> None:
+        self.bias = bias
+        self.drift = drift
+        self.accuracy_estimate = accuracy_estimate
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo, int]:
+        v = _CLOCK_INFO_0.read(raw, at)
+        at += 26
+        bias = v[0]
+        drift = v[1]
+        accuracy_estimate = v[2]
+        valid_flags = ClockInfoFlags(v[3])
+        return cls(bias, drift, accuracy_estimate, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_INFO_0.write(self.bias, self.drift, self.accuracy_estimate, self.valid_flags)
+        return codec.finished(out)
 
 
-class FixInfo(gnss_1.FixInfo):
-    """Fix info (0x81,0x0B).
+_FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
+
+
+class FixInfo(Shared, Data):
+    """Fix info (0x0B).
 
     Type of the position fix and what it is based on.
 
-    Has the layout of `gnss_1.FixInfo`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known only
-    from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. May be
+    supported by 3DM-CV7-INS, 3DM-GX5-35 and 3DM-GX5-45.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+    - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
+    - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
     """
 
-    __slots__ = ()
+    __slots__ = ("fix_type", "num_sv", "fix_flags", "valid_flags")
+    __match_args__ = ("fix_type", "num_sv", "fix_flags", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0B
     NAME = "gnss_data.fix_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("fix_type", "B", types.GnssFixType),
+        ("num_sv", "B", None),
+        ("fix_flags", "H", FixFlags),
+        ("valid_flags", "H", FixInfoFlags),
+    )
+
+    fix_type: types.GnssFixType
+    """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
+    num_sv: int
+    """Number of satellites used in the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of
+    `valid_flags` is set.
+    """
+    fix_flags: FixFlags
+    """What the fix uses. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
+    valid_flags: FixInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        fix_type: types.GnssFixType,
+        num_sv: int,
+        fix_flags: FixFlags,
+        valid_flags: FixInfoFlags,
+    ) -> None:
+        self.fix_type = fix_type
+        self.num_sv = num_sv
+        self.fix_flags = fix_flags
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FixInfo, int]:
+        v = _FIX_INFO_0.read(raw, at)
+        at += 6
+        fix_type = types.GnssFixType(v[0])
+        num_sv = v[1]
+        fix_flags = FixFlags(v[2])
+        valid_flags = FixInfoFlags(v[3])
+        return cls(fix_type, num_sv, fix_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _FIX_INFO_0.write(self.fix_type, self.num_sv, self.fix_flags, self.valid_flags)
+        return codec.finished(out)
 
 
-class SvInfo(gnss_1.SvInfo):
-    """Satellite info (0x81,0x0C).
+_SV_INFO_0 = codec.Block(
+    "BBHhhHH",
+    "channel",
+    "satellite_id",
+    "carrier_noise_ratio",
+    "azimuth",
+    "elevation",
+    "sv_flags",
+    "valid_flags",
+)
+
+
+class SvInfo(Shared, Data):
+    """Satellite info (0x0C).
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
     Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields
     or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Sv Info (0x81,0x0C)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "channel",
+        "satellite_id",
+        "carrier_noise_ratio",
+        "azimuth",
+        "elevation",
+        "sv_flags",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "channel",
+        "satellite_id",
+        "carrier_noise_ratio",
+        "azimuth",
+        "elevation",
+        "sv_flags",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0C
     NAME = "gnss_data.sv_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("channel", "B", None),
+        ("satellite_id", "B", None),
+        ("carrier_noise_ratio", "H", None),
+        ("azimuth", "h", None),
+        ("elevation", "h", None),
+        ("sv_flags", "H", SvFlags),
+        ("valid_flags", "H", SvInfoFlags),
+    )
+
+    channel: int
+    """Channel of the receiver that tracks the satellite. Valid if `SvInfoFlags.CHANNEL` of
+    `valid_flags` is set.
+    """
+    satellite_id: int
+    """Number of the satellite. Valid if `SvInfoFlags.SATELLITE_ID` of `valid_flags` is set."""
+    carrier_noise_ratio: int
+    """Carrier to noise density ratio. Unit: dB-Hz. Valid if `SvInfoFlags.CARRIER_NOISE_RATIO` of
+    `valid_flags` is set.
+    """
+    azimuth: int
+    """Azimuth. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of `valid_flags` is set."""
+    elevation: int
+    """Elevation. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of `valid_flags` is set."""
+    sv_flags: SvFlags
+    """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
+    valid_flags: SvInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        channel: int,
+        satellite_id: int,
+        carrier_noise_ratio: int,
+        azimuth: int,
+        elevation: int,
+        sv_flags: SvFlags,
+        valid_flags: SvInfoFlags,
+    ) -> None:
+        self.channel = channel
+        self.satellite_id = satellite_id
+        self.carrier_noise_ratio = carrier_noise_ratio
+        self.azimuth = azimuth
+        self.elevation = elevation
+        self.sv_flags = sv_flags
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SvInfo, int]:
+        v = _SV_INFO_0.read(raw, at)
+        at += 12
+        channel = v[0]
+        satellite_id = v[1]
+        carrier_noise_ratio = v[2]
+        azimuth = v[3]
+        elevation = v[4]
+        sv_flags = SvFlags(v[5])
+        valid_flags = SvInfoFlags(v[6])
+        return cls(
+            channel, satellite_id, carrier_noise_ratio, azimuth, elevation, sv_flags, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SV_INFO_0.write(
+            self.channel,
+            self.satellite_id,
+            self.carrier_noise_ratio,
+            self.azimuth,
+            self.elevation,
+            self.sv_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class HardwareStatus(gnss_1.HardwareStatus):
-    """GNSS hardware status (0x81,0x0D).
+_HARDWARE_STATUS_0 = codec.Block(
+    "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
+)
+
+
+class HardwareStatus(Shared, Data):
+    """GNSS hardware status (0x0D).
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. Supported by 3DM-GX5-45. May
-    be supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45. May be supported by 3DM-GX5-35.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
+    - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """
 
-    __slots__ = ()
+    __slots__ = ("receiver_state", "antenna_state", "antenna_power", "valid_flags")
+    __match_args__ = ("receiver_state", "antenna_state", "antenna_power", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0D
     NAME = "gnss_data.hardware_status"
+    ROLE = "data"
+    _LAYOUT = (
+        ("receiver_state", "B", ReceiverState),
+        ("antenna_state", "B", AntennaState),
+        ("antenna_power", "B", AntennaPower),
+        ("valid_flags", "H", HardwareStatusFlags),
+    )
+
+    receiver_state: ReceiverState
+    """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
+    """
+    antenna_state: AntennaState
+    """State of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is set.
+    """
+    antenna_power: AntennaPower
+    """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
+    """
+    valid_flags: HardwareStatusFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        receiver_state: ReceiverState,
+        antenna_state: AntennaState,
+        antenna_power: AntennaPower,
+        valid_flags: HardwareStatusFlags,
+    ) -> None:
+        self.receiver_state = receiver_state
+        self.antenna_state = antenna_state
+        self.antenna_power = antenna_power
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
+        v = _HARDWARE_STATUS_0.read(raw, at)
+        at += 5
+        receiver_state = ReceiverState(v[0])
+        antenna_state = AntennaState(v[1])
+        antenna_power = AntennaPower(v[2])
+        valid_flags = HardwareStatusFlags(v[3])
+        return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _HARDWARE_STATUS_0.write(
+            self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
+        )
+        return codec.finished(out)
 
 
-class DgpsInfo(gnss_1.DgpsInfo):
-    """DGPS info (0x81,0x0E).
+_DGPS_INFO_0 = codec.Block(
+    "fhhHH", "age", "base_station_id", "base_station_status", "num_channels", "valid_flags"
+)
+
+
+class DgpsInfo(Shared, Data):
+    """DGPS info (0x0E).
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
-    layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It
-    agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It
-    is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station
-    id, base station status, number of channels).
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The layout
+    is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with
+    the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
+    `DgpsChannel` and does not agree with its own valid flags (age, base station id, base station
+    status, number of channels).
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
     - mip-sdk-4: Dgps Info (0x81,0x0E)
     """
 
-    __slots__ = ()
+    __slots__ = ("age", "base_station_id", "base_station_status", "num_channels", "valid_flags")
+    __match_args__ = (
+        "age",
+        "base_station_id",
+        "base_station_status",
+        "num_channels",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0E
     NAME = "gnss_data.dgps_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("age", "f", None),
+        ("base_station_id", "h", None),
+        ("base_station_status", "h", None),
+        ("num_channels", "H", None),
+        ("valid_flags", "H", DgpsInfoFlags),
+    )
+
+    age: float
+    """Age of the corrections. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
+    Uncertain: The unit, which follows from `DgpsChannel`.
+    """
+    base_station_id: int
+    """Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `valid_flags` is set.
+    """
+    base_station_status: int
+    """State of the base station: 0 to 5 are factors of the user differential range error, which are
+    1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+    `DgpsInfoFlags.BASE_STATION_STATUS` of `valid_flags` is set.
+    """
+    num_channels: int
+    """Number of channels that have corrections. Unit: 1. Valid if `DgpsInfoFlags.NUM_CHANNELS` of
+    `valid_flags` is set.
+    """
+    valid_flags: DgpsInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        age: float,
+        base_station_id: int,
+        base_station_status: int,
+        num_channels: int,
+        valid_flags: DgpsInfoFlags,
+    ) -> None:
+        self.age = age
+        self.base_station_id = base_station_id
+        self.base_station_status = base_station_status
+        self.num_channels = num_channels
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
+        v = _DGPS_INFO_0.read(raw, at)
+        at += 12
+        age = v[0]
+        base_station_id = v[1]
+        base_station_status = v[2]
+        num_channels = v[3]
+        valid_flags = DgpsInfoFlags(v[4])
+        return cls(age, base_station_id, base_station_status, num_channels, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_INFO_0.write(
+            self.age,
+            self.base_station_id,
+            self.base_station_status,
+            self.num_channels,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class DgpsChannel(gnss_1.DgpsChannel):
-    """DGPS channel (0x81,0x0F).
+_DGPS_CHANNEL_0 = codec.Block(
+    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
+)
+
+
+class DgpsChannel(Shared, Data):
+    """DGPS channel (0x0F).
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
     Known only from the MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Dgps Channel (0x81,0x0F)
     """
 
-    __slots__ = ()
+    __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
+    __match_args__ = (
+        "satellite_id",
+        "age",
+        "range_correction",
+        "range_rate_correction",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0F
     NAME = "gnss_data.dgps_channel"
+    ROLE = "data"
+    _LAYOUT = (
+        ("satellite_id", "B", None),
+        ("age", "f", None),
+        ("range_correction", "f", None),
+        ("range_rate_correction", "f", None),
+        ("valid_flags", "H", DgpsChannelFlags),
+    )
+
+    satellite_id: int
+    """Number of the satellite. Valid if `DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set."""
+    age: float
+    """Age of the correction. Unit: s. Valid if `DgpsChannelFlags.AGE` of `valid_flags` is set."""
+    range_correction: float
+    """Correction of the range. Unit: m. Valid if `DgpsChannelFlags.RANGE_CORRECTION` of
+    `valid_flags` is set.
+    """
+    range_rate_correction: float
+    """Correction of the range rate. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION` of
+    `valid_flags` is set.
+    """
+    valid_flags: DgpsChannelFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        satellite_id: int,
+        age: float,
+        range_correction: float,
+        range_rate_correction: float,
+        valid_flags: DgpsChannelFlags,
+    ) -> None:
+        self.satellite_id = satellite_id
+        self.age = age
+        self.range_correction = range_correction
+        self.range_rate_correction = range_rate_correction
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsChannel, int]:
+        v = _DGPS_CHANNEL_0.read(raw, at)
+        at += 15
+        satellite_id = v[0]
+        age = v[1]
+        range_correction = v[2]
+        range_rate_correction = v[3]
+        valid_flags = DgpsChannelFlags(v[4])
+        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_CHANNEL_0.write(
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class ClockInfo2(gnss_1.ClockInfo2):
-    """Clock info 2 (0x81,0x10).
+_CLOCK_INFO_2_0 = codec.Block(
+    "ddddH", "bias", "drift", "bias_accuracy_estimate", "drift_accuracy_estimate", "valid_flags"
+)
+
+
+class ClockInfo2(Shared, Data):
+    """Clock info 2 (0x10).
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo2`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
     It supersedes clock info.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
+    - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "bias",
+        "drift",
+        "bias_accuracy_estimate",
+        "drift_accuracy_estimate",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "bias",
+        "drift",
+        "bias_accuracy_estimate",
+        "drift_accuracy_estimate",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x10
     NAME = "gnss_data.clock_info_2"
+    ROLE = "data"
+    _LAYOUT = (
+        ("bias", "d", None),
+        ("drift", "d", None),
+        ("bias_accuracy_estimate", "d", None),
+        ("drift_accuracy_estimate", "d", None),
+        ("valid_flags", "H", ClockInfo2Flags),
+    )
+
+    bias: float
+    """Bias of the clock. Unit: s. Valid if `ClockInfo2Flags.BIAS` of `valid_flags` is set."""
+    drift: float
+    """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
+    bias_accuracy_estimate: float
+    """Accuracy of the bias. Unit: s. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is
+    set.
+    """
+    drift_accuracy_estimate: float
+    """Accuracy of the drift. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags`
+    is set.
+    """
+    valid_flags: ClockInfo2Flags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        bias: float,
+        drift: float,
+        bias_accuracy_estimate: float,
+        drift_accuracy_estimate: float,
+        valid_flags: ClockInfo2Flags,
+    ) -> None:
+        self.bias = bias
+        self.drift = drift
+        self.bias_accuracy_estimate = bias_accuracy_estimate
+        self.drift_accuracy_estimate = drift_accuracy_estimate
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo2, int]:
+        v = _CLOCK_INFO_2_0.read(raw, at)
+        at += 34
+        bias = v[0]
+        drift = v[1]
+        bias_accuracy_estimate = v[2]
+        drift_accuracy_estimate = v[3]
+        valid_flags = ClockInfo2Flags(v[4])
+        return cls(bias, drift, bias_accuracy_estimate, drift_accuracy_estimate, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_INFO_2_0.write(
+            self.bias,
+            self.drift,
+            self.bias_accuracy_estimate,
+            self.drift_accuracy_estimate,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
-    """GPS leap seconds (0x81,0x11).
+_GPS_LEAP_SECONDS_0 = codec.Block("BH", "leap_seconds", "valid_flags")
+
+
+class GpsLeapSeconds(Shared, Data):
+    """GPS leap seconds (0x11).
 
     Difference between GPS time and UTC.
 
-    Has the layout of `gnss_1.GpsLeapSeconds`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
+    - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
     """
 
-    __slots__ = ()
+    __slots__ = ("leap_seconds", "valid_flags")
+    __match_args__ = ("leap_seconds", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x11
     NAME = "gnss_data.gps_leap_seconds"
+    ROLE = "data"
+    _LAYOUT = (("leap_seconds", "B", None), ("valid_flags", "H", GpsLeapSecondsFlags))
+
+    leap_seconds: int
+    """GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `valid_flags` is
+    set.
+    """
+    valid_flags: GpsLeapSecondsFlags
+    """Whether the value is valid."""
+
+    def __init__(self, leap_seconds: int, valid_flags: GpsLeapSecondsFlags) -> None:
+        self.leap_seconds = leap_seconds
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsLeapSeconds, int]:
+        v = _GPS_LEAP_SECONDS_0.read(raw, at)
+        at += 3
+        leap_seconds = v[0]
+        valid_flags = GpsLeapSecondsFlags(v[1])
+        return cls(leap_seconds, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_LEAP_SECONDS_0.write(self.leap_seconds, self.valid_flags)
+        return codec.finished(out)
 
 
-class SbasInfo(gnss_1.SbasInfo):
-    """SBAS info (0x81,0x12).
+_SBAS_INFO_0 = codec.Block(
+    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
+)
+
+
+class SbasInfo(Shared, Data):
+    """SBAS info (0x12).
 
     Status of the satellite based augmentation.
 
-    Has the layout of `gnss_1.SbasInfo`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
+    - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "tow",
+        "week_number",
+        "sbas_system",
+        "sbas_id",
+        "count",
+        "sbas_status",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "sbas_system",
+        "sbas_id",
+        "count",
+        "sbas_status",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x12
     NAME = "gnss_data.sbas_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("sbas_system", "B", SbasSystem),
+        ("sbas_id", "B", None),
+        ("count", "B", None),
+        ("sbas_status", "B", SbasStatus),
+        ("valid_flags", "H", SbasInfoFlags),
+    )
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
+    sbas_system: SbasSystem
+    """System in use. Valid if `SbasInfoFlags.SBAS_SYSTEM` of `valid_flags` is set."""
+    sbas_id: int
+    """SBAS satellite. Valid if `SbasInfoFlags.SBAS_ID` of `valid_flags` is set."""
+    count: int
+    """Number of SBAS corrections. Unit: 1. Valid if `SbasInfoFlags.COUNT` of `valid_flags` is set.
+    """
+    sbas_status: SbasStatus
+    """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
+    valid_flags: SbasInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        sbas_system: SbasSystem,
+        sbas_id: int,
+        count: int,
+        sbas_status: SbasStatus,
+        valid_flags: SbasInfoFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.sbas_system = sbas_system
+        self.sbas_id = sbas_id
+        self.count = count
+        self.sbas_status = sbas_status
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
+        v = _SBAS_INFO_0.read(raw, at)
+        at += 16
+        tow = v[0]
+        week_number = v[1]
+        sbas_system = SbasSystem(v[2])
+        sbas_id = v[3]
+        count = v[4]
+        sbas_status = SbasStatus(v[5])
+        valid_flags = SbasInfoFlags(v[6])
+        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _SBAS_INFO_0.write(
+            self.tow,
+            self.week_number,
+            self.sbas_system,
+            self.sbas_id,
+            self.count,
+            self.sbas_status,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class SbasCorrection(gnss_1.SbasCorrection):
-    """SBAS correction (0x81,0x13).
+_SBAS_CORRECTION_0 = codec.Block(
+    "BBdHBBBffH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "gnss_id",
+    "satellite_id",
+    "udrei",
+    "pseudorange_correction",
+    "iono_correction",
+    "valid_flags",
+)
+
+
+class SbasCorrection(Shared, Data):
+    """SBAS correction (0x13).
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`. Not listed in any device profile. Known only from the
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
     MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields. For
     `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
     1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Sbas Correction (0x81,0x13)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "udrei",
+        "pseudorange_correction",
+        "iono_correction",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "udrei",
+        "pseudorange_correction",
+        "iono_correction",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x13
     NAME = "gnss_data.sbas_correction"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("udrei", "B", None),
+        ("pseudorange_correction", "f", None),
+        ("iono_correction", "f", None),
+        ("valid_flags", "H", SbasCorrectionFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week of the reception. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    gnss_id: types.GnssConstellation
+    """Constellation."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    udrei: int
+    """Indicator of the range error that remains after fast and long-term corrections, not counting
+    the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+    `SbasCorrectionFlags.UDREI` of `valid_flags` is set.
+    """
+    pseudorange_correction: float
+    """Correction of the pseudorange. Unit: m. Valid if `SbasCorrectionFlags.PSEUDORANGE_CORRECTION`
+    of `valid_flags` is set.
+    """
+    iono_correction: float
+    """Correction of the ionospheric delay. Unit: m. Valid if `SbasCorrectionFlags.IONO_CORRECTION`
+    of `valid_flags` is set.
+    """
+    valid_flags: SbasCorrectionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        udrei: int,
+        pseudorange_correction: float,
+        iono_correction: float,
+        valid_flags: SbasCorrectionFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.udrei = udrei
+        self.pseudorange_correction = pseudorange_correction
+        self.iono_correction = iono_correction
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SbasCorrection, int]:
+        v = _SBAS_CORRECTION_0.read(raw, at)
+        at += 25
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        gnss_id = types.GnssConstellation(v[4])
+        satellite_id = v[5]
+        udrei = v[6]
+        pseudorange_correction = v[7]
+        iono_correction = v[8]
+        valid_flags = SbasCorrectionFlags(v[9])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            gnss_id,
+            satellite_id,
+            udrei,
+            pseudorange_correction,
+            iono_correction,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SBAS_CORRECTION_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.udrei,
+            self.pseudorange_correction,
+            self.iono_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class RfErrorDetection(gnss_1.RfErrorDetection):
-    """RF error detection (0x81,0x14).
+_RF_ERROR_DETECTION_0 = codec.Block(
+    "BBBBBBBH", "rf_band", "jamming_state", "spoofing_state", *["reserved"] * 4, "valid_flags"
+)
+
+
+class RfErrorDetection(Shared, Data):
+    """RF error detection (0x14).
 
     Jamming and spoofing that the receiver detects in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). May be supported by 3DM-CV7-INS. Known only from the
+    MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
 
-    __slots__ = ()
+    __slots__ = ("rf_band", "jamming_state", "spoofing_state", "reserved", "valid_flags")
+    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x14
     NAME = "gnss_data.rf_error_detection"
+    ROLE = "data"
+    _LAYOUT = (
+        ("rf_band", "B", RfBand),
+        ("jamming_state", "B", JammingState),
+        ("spoofing_state", "B", SpoofingState),
+        ("reserved", "BBBB", tuple),
+        ("valid_flags", "H", RfErrorDetectionFlags),
+    )
+
+    rf_band: RfBand
+    """Band. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is set."""
+    jamming_state: JammingState
+    """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
+    spoofing_state: SpoofingState
+    """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
+    reserved: tuple[int, int, int, int]
+    """Reserved."""
+    valid_flags: RfErrorDetectionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        rf_band: RfBand,
+        jamming_state: JammingState,
+        spoofing_state: SpoofingState,
+        valid_flags: RfErrorDetectionFlags,
+        *,
+        reserved: Sequence[int] = (0, 0, 0, 0),
+    ) -> None:
+        self.rf_band = rf_band
+        self.jamming_state = jamming_state
+        self.spoofing_state = spoofing_state
+        self.reserved = codec.several(reserved)
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RfErrorDetection, int]:
+        v = _RF_ERROR_DETECTION_0.read(raw, at)
+        at += 9
+        rf_band = RfBand(v[0])
+        jamming_state = JammingState(v[1])
+        spoofing_state = SpoofingState(v[2])
+        reserved = v[3:7]
+        valid_flags = RfErrorDetectionFlags(v[7])
+        return cls(rf_band, jamming_state, spoofing_state, valid_flags, reserved=reserved), at
+
+    def _write(self) -> bytes:
+        out = _RF_ERROR_DETECTION_0.write(
+            self.rf_band,
+            self.jamming_state,
+            self.spoofing_state,
+            *codec.exactly("reserved", self.reserved, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class SatelliteStatus(gnss_1.SatelliteStatus):
-    """Satellite status (0x81,0x20).
+_SATELLITE_STATUS_0 = codec.Block(
+    "BBdHBBffBH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "gnss_id",
+    "satellite_id",
+    "elevation",
+    "azimuth",
+    "health",
+    "valid_flags",
+)
+
+
+class SatelliteStatus(Shared, Data):
+    """Satellite status (0x20).
 
     Direction to one satellite, and its health.
 
-    Has the layout of `gnss_1.SatelliteStatus`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
     An epoch is sent as one field for each satellite; `index` and `count` number the fields.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+    - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
+    - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "elevation",
+        "azimuth",
+        "health",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "elevation",
+        "azimuth",
+        "health",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x20
     NAME = "gnss_data.satellite_status"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("elevation", "f", None),
+        ("azimuth", "f", None),
+        ("health", "B", codec.truth),
+        ("valid_flags", "H", SatelliteStatusFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
+    gnss_id: types.GnssConstellation
+    """Constellation. Valid if `SatelliteStatusFlags.GNSS_ID` of `valid_flags` is set."""
+    satellite_id: int
+    """Satellite within the constellation. Valid if `SatelliteStatusFlags.SATELLITE_ID` of
+    `valid_flags` is set.
+    """
+    elevation: float
+    """Elevation, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.ELEVATION` of
+    `valid_flags` is set.
+    """
+    azimuth: float
+    """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
+    `valid_flags` is set.
+    """
+    health: bool
+    """Whether the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
+    set.
+    """
+    valid_flags: SatelliteStatusFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        elevation: float,
+        azimuth: float,
+        health: bool,
+        valid_flags: SatelliteStatusFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.elevation = elevation
+        self.azimuth = azimuth
+        self.health = health
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SatelliteStatus, int]:
+        v = _SATELLITE_STATUS_0.read(raw, at)
+        at += 25
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        gnss_id = types.GnssConstellation(v[4])
+        satellite_id = v[5]
+        elevation = v[6]
+        azimuth = v[7]
+        health = codec.truth(v[8])
+        valid_flags = SatelliteStatusFlags(v[9])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            gnss_id,
+            satellite_id,
+            elevation,
+            azimuth,
+            health,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SATELLITE_STATUS_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.elevation,
+            self.azimuth,
+            self.health,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class Raw(gnss_1.Raw):
-    """Raw (0x81,0x22).
+_RAW_0 = codec.Block(
+    "BBdHHBBBBfBddfffffH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "receiver_id",
+    "tracking_channel",
+    "gnss_id",
+    "satellite_id",
+    "signal_id",
+    "signal_strength",
+    "quality",
+    "pseudorange",
+    "carrier_phase",
+    "doppler",
+    "range_uncertainty",
+    "phase_uncertainty",
+    "doppler_uncertainty",
+    "lock_time",
+    "valid_flags",
+)
+
+
+class Raw(Shared, Data):
+    """Raw (0x22).
 
     Raw observation of one signal of one satellite.
 
-    Has the layout of `gnss_1.Raw`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     An epoch is sent as one field for each signal; `index` and `count` number the fields. The
     greatest lock time depends on the receiver.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "receiver_id",
+        "tracking_channel",
+        "gnss_id",
+        "satellite_id",
+        "signal_id",
+        "signal_strength",
+        "quality",
+        "pseudorange",
+        "carrier_phase",
+        "doppler",
+        "range_uncertainty",
+        "phase_uncertainty",
+        "doppler_uncertainty",
+        "lock_time",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "receiver_id",
+        "tracking_channel",
+        "gnss_id",
+        "satellite_id",
+        "signal_id",
+        "signal_strength",
+        "quality",
+        "pseudorange",
+        "carrier_phase",
+        "doppler",
+        "range_uncertainty",
+        "phase_uncertainty",
+        "doppler_uncertainty",
+        "lock_time",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x22
     NAME = "gnss_data.raw"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("receiver_id", "H", None),
+        ("tracking_channel", "B", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("signal_id", "B", types.GnssSignal),
+        ("signal_strength", "f", None),
+        ("quality", "B", SignalQuality),
+        ("pseudorange", "d", None),
+        ("carrier_phase", "d", None),
+        ("doppler", "f", None),
+        ("range_uncertainty", "f", None),
+        ("phase_uncertainty", "f", None),
+        ("doppler_uncertainty", "f", None),
+        ("lock_time", "f", None),
+        ("valid_flags", "H", RawFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
+    receiver_id: int
+    """Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
+    `RawFlags.RECEIVER_ID` of `valid_flags` is set.
+    """
+    tracking_channel: int
+    """Channel that tracks the satellite. Valid if `RawFlags.TRACKING_CHANNEL` of `valid_flags` is
+    set.
+    """
+    gnss_id: types.GnssConstellation
+    """Constellation. Valid if `RawFlags.GNSS_ID` of `valid_flags` is set."""
+    satellite_id: int
+    """Satellite within the constellation. Valid if `RawFlags.SATELLITE_ID` of `valid_flags` is set.
+    """
+    signal_id: types.GnssSignal
+    """Signal. Valid if `RawFlags.SIGNAL_ID` of `valid_flags` is set."""
+    signal_strength: float
+    """Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of
+    `valid_flags` is set.
+    """
+    quality: SignalQuality
+    """How well the signal is tracked. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
+    pseudorange: float
+    """Pseudorange. Unit: m. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set."""
+    carrier_phase: float
+    """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
+    doppler: float
+    """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
+    range_uncertainty: float
+    """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
+    phase_uncertainty: float
+    """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
+    of `valid_flags` is set.
+    """
+    doppler_uncertainty: float
+    """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
+    lock_time: float
+    """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
+    `RawFlags.LOCK_TIME` of `valid_flags` is set.
+    """
+    valid_flags: RawFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        receiver_id: int,
+        tracking_channel: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        signal_id: types.GnssSignal,
+        signal_strength: float,
+        quality: SignalQuality,
+        pseudorange: float,
+        carrier_phase: float,
+        doppler: float,
+        range_uncertainty: float,
+        phase_uncertainty: float,
+        doppler_uncertainty: float,
+        lock_time: float,
+        valid_flags: RawFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.receiver_id = receiver_id
+        self.tracking_channel = tracking_channel
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.signal_id = signal_id
+        self.signal_strength = signal_strength
+        self.quality = quality
+        self.pseudorange = pseudorange
+        self.carrier_phase = carrier_phase
+        self.doppler = doppler
+        self.range_uncertainty = range_uncertainty
+        self.phase_uncertainty = phase_uncertainty
+        self.doppler_uncertainty = doppler_uncertainty
+        self.lock_time = lock_time
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Raw, int]:
+        v = _RAW_0.read(raw, at)
+        at += 61
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        receiver_id = v[4]
+        tracking_channel = v[5]
+        gnss_id = types.GnssConstellation(v[6])
+        satellite_id = v[7]
+        signal_id = types.GnssSignal(v[8])
+        signal_strength = v[9]
+        quality = SignalQuality(v[10])
+        pseudorange = v[11]
+        carrier_phase = v[12]
+        doppler = v[13]
+        range_uncertainty = v[14]
+        phase_uncertainty = v[15]
+        doppler_uncertainty = v[16]
+        lock_time = v[17]
+        valid_flags = RawFlags(v[18])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            receiver_id,
+            tracking_channel,
+            gnss_id,
+            satellite_id,
+            signal_id,
+            signal_strength,
+            quality,
+            pseudorange,
+            carrier_phase,
+            doppler,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
+            lock_time,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _RAW_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.receiver_id,
+            self.tracking_channel,
+            self.gnss_id,
+            self.satellite_id,
+            self.signal_id,
+            self.signal_strength,
+            self.quality,
+            self.pseudorange,
+            self.carrier_phase,
+            self.doppler,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
+            self.lock_time,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class BaseStationInfo(gnss_1.BaseStationInfo):
-    """Base station info (0x81,0x30).
+_BASE_STATION_INFO_0 = codec.Block(
+    "dHdddfHHH",
+    "tow",
+    "week_number",
+    *["ecef_position"] * 3,
+    "height",
+    "station_id",
+    "indicators",
+    "valid_flags",
+)
+
+
+class BaseStationInfo(Shared, Data):
+    """Base station info (0x30).
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    Has the layout of `gnss_1.BaseStationInfo`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Base Station Info (0x81,0x30)
+    - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "tow",
+        "week_number",
+        "ecef_position",
+        "height",
+        "station_id",
+        "indicators",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "ecef_position",
+        "height",
+        "station_id",
+        "indicators",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x30
     NAME = "gnss_data.base_station_info"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("ecef_position", "ddd", types.Vector3d),
+        ("height", "f", None),
+        ("station_id", "H", None),
+        ("indicators", "H", BaseStationIndicators),
+        ("valid_flags", "H", BaseStationInfoFlags),
+    )
+    _VECTORS = {"ecef_position": (types.Vector3d,)}
+
+    tow: float
+    """GPS time of week at which the message was received. Unit: s. Valid if
+    `BaseStationInfoFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
+    ecef_position: types.Vector3d
+    """Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `BaseStationInfoFlags.ECEF_POSITION` of `valid_flags` is set.
+    """
+    height: float
+    """Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+    `BaseStationInfoFlags.HEIGHT` of `valid_flags` is set.
+    """
+    station_id: int
+    """Number of the station. Range: 0 to 4095. Valid if `BaseStationInfoFlags.STATION_ID` of
+    `valid_flags` is set.
+    """
+    indicators: BaseStationIndicators
+    """Properties of the station. Valid if `BaseStationInfoFlags.INDICATORS` of `valid_flags` is
+    set.
+    """
+    valid_flags: BaseStationInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        ecef_position: types.Vector3d | codec.Numbers,
+        height: float,
+        station_id: int,
+        indicators: BaseStationIndicators,
+        valid_flags: BaseStationInfoFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.ecef_position = codec.vector(ecef_position, types.Vector3d)
+        self.height = height
+        self.station_id = station_id
+        self.indicators = indicators
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
+        v = _BASE_STATION_INFO_0.read(raw, at)
+        at += 44
+        tow = v[0]
+        week_number = v[1]
+        ecef_position = types.Vector3d._make(v[2:5])
+        height = v[5]
+        station_id = v[6]
+        indicators = BaseStationIndicators(v[7])
+        valid_flags = BaseStationInfoFlags(v[8])
+        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _BASE_STATION_INFO_0.write(
+            self.tow,
+            self.week_number,
+            *codec.elements("ecef_position", self.ecef_position, 3),
+            self.height,
+            self.station_id,
+            self.indicators,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
-    """RTK corrections status (0x81,0x31).
+_RTK_CORRECTIONS_STATUS_0 = codec.Block(
+    "dHHIffffIIIIH",
+    "tow",
+    "week_number",
+    "epoch_status",
+    "dongle_status",
+    "gps_correction_latency",
+    "glonass_correction_latency",
+    "galileo_correction_latency",
+    "beidou_correction_latency",
+    *["reserved"] * 4,
+    "valid_flags",
+)
+
+
+class RtkCorrectionsStatus(Shared, Data):
+    """RTK corrections status (0x31).
 
     Which corrections are received, and how old they are.
 
-    Has the layout of `gnss_1.RtkCorrectionsStatus`. Not listed in any device profile. Known only
-    from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+    - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "tow",
+        "week_number",
+        "epoch_status",
+        "dongle_status",
+        "gps_correction_latency",
+        "glonass_correction_latency",
+        "galileo_correction_latency",
+        "beidou_correction_latency",
+        "reserved",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "epoch_status",
+        "dongle_status",
+        "gps_correction_latency",
+        "glonass_correction_latency",
+        "galileo_correction_latency",
+        "beidou_correction_latency",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x31
     NAME = "gnss_data.rtk_corrections_status"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("epoch_status", "H", RtkEpochStatus),
+        ("dongle_status", "I", types.RtkStatusFlags),
+        ("gps_correction_latency", "f", None),
+        ("glonass_correction_latency", "f", None),
+        ("galileo_correction_latency", "f", None),
+        ("beidou_correction_latency", "f", None),
+        ("reserved", "IIII", tuple),
+        ("valid_flags", "H", RtkCorrectionsStatusFlags),
+    )
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `RtkCorrectionsStatusFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    epoch_status: RtkEpochStatus
+    """Corrections received during this epoch. Valid if `RtkCorrectionsStatusFlags.EPOCH_STATUS` of
+    `valid_flags` is set.
+    """
+    dongle_status: types.RtkStatusFlags
+    """Status flags of the RTK dongle; of use only with a dongle. Valid if
+    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as in the
+    response to `rtk.GetStatusFlags`, in one of its two forms.
+    """
+    gps_correction_latency: float
+    """Latency of the last GPS correction. Unit: s. Valid if `RtkCorrectionsStatusFlags.GPS_LATENCY`
+    of `valid_flags` is set.
+    """
+    glonass_correction_latency: float
+    """Latency of the last GLONASS correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.GLONASS_LATENCY` of `valid_flags` is set.
+    """
+    galileo_correction_latency: float
+    """Latency of the last Galileo correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.GALILEO_LATENCY` of `valid_flags` is set.
+    """
+    beidou_correction_latency: float
+    """Latency of the last BeiDou correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.BEIDOU_LATENCY` of `valid_flags` is set.
+    """
+    reserved: tuple[int, int, int, int]
+    """Reserved."""
+    valid_flags: RtkCorrectionsStatusFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        epoch_status: RtkEpochStatus,
+        dongle_status: types.RtkStatusFlags,
+        gps_correction_latency: float,
+        glonass_correction_latency: float,
+        galileo_correction_latency: float,
+        beidou_correction_latency: float,
+        valid_flags: RtkCorrectionsStatusFlags,
+        *,
+        reserved: Sequence[int] = (0, 0, 0, 0),
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.epoch_status = epoch_status
+        self.dongle_status = dongle_status
+        self.gps_correction_latency = gps_correction_latency
+        self.glonass_correction_latency = glonass_correction_latency
+        self.galileo_correction_latency = galileo_correction_latency
+        self.beidou_correction_latency = beidou_correction_latency
+        self.reserved = codec.several(reserved)
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
+        v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
+        at += 50
+        tow = v[0]
+        week_number = v[1]
+        epoch_status = RtkEpochStatus(v[2])
+        dongle_status = types.RtkStatusFlags(v[3])
+        gps_correction_latency = v[4]
+        glonass_correction_latency = v[5]
+        galileo_correction_latency = v[6]
+        beidou_correction_latency = v[7]
+        reserved = v[8:12]
+        valid_flags = RtkCorrectionsStatusFlags(v[12])
+        return cls(
+            tow,
+            week_number,
+            epoch_status,
+            dongle_status,
+            gps_correction_latency,
+            glonass_correction_latency,
+            galileo_correction_latency,
+            beidou_correction_latency,
+            valid_flags,
+            reserved=reserved,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _RTK_CORRECTIONS_STATUS_0.write(
+            self.tow,
+            self.week_number,
+            self.epoch_status,
+            self.dongle_status,
+            self.gps_correction_latency,
+            self.glonass_correction_latency,
+            self.galileo_correction_latency,
+            self.beidou_correction_latency,
+            *codec.exactly("reserved", self.reserved, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GpsEphemeris(gnss_1.GpsEphemeris):
-    """GPS ephemeris (0x81,0x61).
+_GPS_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodc",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+class GpsEphemeris(Shared, Data):
+    """GPS ephemeris (0x61).
 
     Broadcast orbit and clock of one GPS satellite.
 
-    Has the layout of `gnss_1.GpsEphemeris`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
+    - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x61
     NAME = "gnss_data.gps_ephemeris"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    iode: int
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    t_oc: float
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    af0: float
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af1: float
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af2: float
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_gd: float
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    isc_l1ca: float
+    """Inter-signal correction for L1. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    isc_l2c: float
+    """Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    a: float
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    a_dot: float
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    mean_anomaly: float
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    delta_mean_motion: float
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    eccentricity: float
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    argument_of_perigee: float
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    omega: float
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    omega_dot: float
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    inclination: float
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    inclination_dot: float
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
+    c_ic: float
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_is: float
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsEphemeris, int]:
+        v = _GPS_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodc = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            satellite_id,
+            health,
+            iodc,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GPS_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GlonassEphemeris(gnss_1.GlonassEphemeris):
-    """GLONASS ephemeris (0x81,0x62).
+_GLONASS_EPHEMERIS_0 = codec.Block(
+    "BBdHBbIIBdddddffffffBBBfBBBBBBH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "satellite_id",
+    "frequency_number",
+    "tk",
+    "tb",
+    "satellite_type",
+    "gamma",
+    "tau_n",
+    *["position"] * 3,
+    *["velocity"] * 3,
+    *["accel"] * 3,
+    "health",
+    "p",
+    "nt",
+    "delta_tau_n",
+    "ft",
+    "en",
+    "p1",
+    "p2",
+    "p3",
+    "p4",
+    "valid_flags",
+)
+
+
+class GlonassEphemeris(Shared, Data):
+    """GLONASS ephemeris (0x62).
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; no source says how nt, a u8, counts them.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
+    - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "frequency_number",
+        "tk",
+        "tb",
+        "satellite_type",
+        "gamma",
+        "tau_n",
+        "position",
+        "velocity",
+        "accel",
+        "health",
+        "p",
+        "nt",
+        "delta_tau_n",
+        "ft",
+        "en",
+        "p1",
+        "p2",
+        "p3",
+        "p4",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "frequency_number",
+        "tk",
+        "tb",
+        "satellite_type",
+        "gamma",
+        "tau_n",
+        "position",
+        "velocity",
+        "accel",
+        "health",
+        "p",
+        "nt",
+        "delta_tau_n",
+        "ft",
+        "en",
+        "p1",
+        "p2",
+        "p3",
+        "p4",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x62
     NAME = "gnss_data.glonass_ephemeris"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("frequency_number", "b", None),
+        ("tk", "I", None),
+        ("tb", "I", None),
+        ("satellite_type", "B", GlonassSatelliteType),
+        ("gamma", "d", None),
+        ("tau_n", "d", None),
+        ("position", "ddd", types.Vector3d),
+        ("velocity", "fff", types.Vector3f),
+        ("accel", "fff", types.Vector3f),
+        ("health", "B", None),
+        ("p", "B", None),
+        ("nt", "B", None),
+        ("delta_tau_n", "f", None),
+        ("ft", "B", None),
+        ("en", "B", None),
+        ("p1", "B", None),
+        ("p2", "B", None),
+        ("p3", "B", None),
+        ("p4", "B", None),
+        ("valid_flags", "H", GlonassEphemerisFlags),
+    )
+    _VECTORS = {
+        "position": (types.Vector3d,),
+        "velocity": (types.Vector3f,),
+        "accel": (types.Vector3f,),
+    }
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    frequency_number: int
+    """GLONASS frequency number. Range: -7 to 24. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    tk: int
+    """Start of the frame within the day. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    tb: int
+    """Reference time of the ephemeris. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    satellite_type: GlonassSatelliteType
+    """Generation of the satellite (M). Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    gamma: float
+    """Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    tau_n: float
+    """Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    position: types.Vector3d
+    """Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    velocity: types.Vector3f
+    """Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    accel: types.Vector3f
+    """Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+    Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    health: int
+    """Health (Bn); not 0 if the satellite fails. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    p: int
+    """Mode of operation of the satellite. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    nt: int
+    """Day within a period of four years. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    delta_tau_n: float
+    """Time difference between L1 and L2. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    ft: int
+    """Code of the user range accuracy. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    en: int
+    """Age of the information. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    p1: int
+    """Time between adjacent values of tb. Unit: min. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    p2: int
+    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    p3: int
+    """Number of satellites in the almanac of the frame. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    p4: int
+    """Whether ephemeris parameters are present. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    valid_flags: GlonassEphemerisFlags
+    """Whether the ephemeris is valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        frequency_number: int,
+        tk: int,
+        tb: int,
+        satellite_type: GlonassSatelliteType,
+        gamma: float,
+        tau_n: float,
+        position: types.Vector3d | codec.Numbers,
+        velocity: types.Vector3f | codec.Numbers,
+        accel: types.Vector3f | codec.Numbers,
+        health: int,
+        p: int,
+        nt: int,
+        delta_tau_n: float,
+        ft: int,
+        en: int,
+        p1: int,
+        p2: int,
+        p3: int,
+        p4: int,
+        valid_flags: GlonassEphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.frequency_number = frequency_number
+        self.tk = tk
+        self.tb = tb
+        self.satellite_type = satellite_type
+        self.gamma = gamma
+        self.tau_n = tau_n
+        self.position = codec.vector(position, types.Vector3d)
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.accel = codec.vector(accel, types.Vector3f)
+        self.health = health
+        self.p = p
+        self.nt = nt
+        self.delta_tau_n = delta_tau_n
+        self.ft = ft
+        self.en = en
+        self.p1 = p1
+        self.p2 = p2
+        self.p3 = p3
+        self.p4 = p4
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GlonassEphemeris, int]:
+        v = _GLONASS_EPHEMERIS_0.read(raw, at)
+        at += 102
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        frequency_number = v[5]
+        tk = v[6]
+        tb = v[7]
+        satellite_type = GlonassSatelliteType(v[8])
+        gamma = v[9]
+        tau_n = v[10]
+        position = types.Vector3d._make(v[11:14])
+        velocity = types.Vector3f._make(v[14:17])
+        accel = types.Vector3f._make(v[17:20])
+        health = v[20]
+        p = v[21]
+        nt = v[22]
+        delta_tau_n = v[23]
+        ft = v[24]
+        en = v[25]
+        p1 = v[26]
+        p2 = v[27]
+        p3 = v[28]
+        p4 = v[29]
+        valid_flags = GlonassEphemerisFlags(v[30])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            satellite_id,
+            frequency_number,
+            tk,
+            tb,
+            satellite_type,
+            gamma,
+            tau_n,
+            position,
+            velocity,
+            accel,
+            health,
+            p,
+            nt,
+            delta_tau_n,
+            ft,
+            en,
+            p1,
+            p2,
+            p3,
+            p4,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GLONASS_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.frequency_number,
+            self.tk,
+            self.tb,
+            self.satellite_type,
+            self.gamma,
+            self.tau_n,
+            *codec.elements("position", self.position, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("accel", self.accel, 3),
+            self.health,
+            self.p,
+            self.nt,
+            self.delta_tau_n,
+            self.ft,
+            self.en,
+            self.p1,
+            self.p2,
+            self.p3,
+            self.p4,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GalileoEphemeris(gnss_1.GalileoEphemeris):
-    """Galileo ephemeris (0x81,0x63).
+_GALILEO_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodc",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+class GalileoEphemeris(Shared, Data):
+    """Galileo ephemeris (0x63).
 
     Broadcast orbit and clock of one Galileo satellite.
 
-    Has the layout of `gnss_1.GalileoEphemeris`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
+    - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x63
     NAME = "gnss_data.galileo_ephemeris"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    iode: int
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    t_oc: float
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    af0: float
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af1: float
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af2: float
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_gd: float
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    isc_l1ca: float
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    isc_l2c: float
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    a: float
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    a_dot: float
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    mean_anomaly: float
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    delta_mean_motion: float
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    eccentricity: float
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    argument_of_perigee: float
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    omega: float
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    omega_dot: float
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    inclination: float
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    inclination_dot: float
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
+    c_ic: float
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_is: float
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GalileoEphemeris, int]:
+        v = _GALILEO_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodc = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            satellite_id,
+            health,
+            iodc,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GALILEO_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class BeidouEphemeris(gnss_1.BeidouEphemeris):
-    """BeiDou ephemeris (0x81,0x64).
+_BEIDOU_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodc",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+class BeidouEphemeris(Shared, Data):
+    """BeiDou ephemeris (0x64).
 
     Broadcast orbit and clock of one BeiDou satellite.
 
-    Has the layout of `gnss_1.BeidouEphemeris`. Not listed in any device profile. Known only from
-    the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
+    - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """
 
-    __slots__ = ()
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x64
     NAME = "gnss_data.beidou_ephemeris"
+    ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    iode: int
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    t_oc: float
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    af0: float
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af1: float
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    af2: float
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_gd: float
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    isc_l1ca: float
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    isc_l2c: float
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    a: float
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    a_dot: float
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
+    mean_anomaly: float
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    delta_mean_motion: float
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    eccentricity: float
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    argument_of_perigee: float
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    omega: float
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    omega_dot: float
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    inclination: float
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
+    inclination_dot: float
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
+    c_ic: float
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_is: float
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BeidouEphemeris, int]:
+        v = _BEIDOU_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodc = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            satellite_id,
+            health,
+            iodc,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _BEIDOU_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodc,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
-    """GPS ionospheric correction (0x81,0x71).
+_GPS_IONO_CORRECTION_0 = codec.Block(
+    "dHddddddddH", "tow", "week_number", *["alpha"] * 4, *["beta"] * 4, "valid_flags"
+)
+
+
+class GpsIonoCorrection(Shared, Data):
+    """GPS ionospheric correction (0x71).
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. Not listed in any
-    device profile. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `gps_iono_corr`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
 
-    __slots__ = ()
+    __slots__ = ("tow", "week_number", "alpha", "beta", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "beta", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x71
     NAME = "gnss_data.gps_iono_correction"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "dddd", tuple),
+        ("beta", "dddd", tuple),
+        ("valid_flags", "H", GpsIonoCorrectionFlags),
+    )
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `GpsIonoCorrectionFlags.WEEK_NUMBER` of `valid_flags`
+    is set.
+    """
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if `GpsIonoCorrectionFlags.ALPHA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    valid_flags: GpsIonoCorrectionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: Sequence[float],
+        beta: Sequence[float],
+        valid_flags: GpsIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = codec.several(alpha)
+        self.beta = codec.several(beta)
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsIonoCorrection, int]:
+        v = _GPS_IONO_CORRECTION_0.read(raw, at)
+        at += 76
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        valid_flags = GpsIonoCorrectionFlags(v[10])
+        return cls(tow, week_number, alpha, beta, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
-    """Galileo ionospheric correction (0x81,0x73).
+_GALILEO_IONO_CORRECTION_0 = codec.Block(
+    "dHdddBH", "tow", "week_number", *["alpha"] * 3, "disturbance_flags", "valid_flags"
+)
+
+
+class GalileoIonoCorrection(Shared, Data):
+    """Galileo ionospheric correction (0x73).
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. Not listed in
-    any device profile. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `galileo_iono_corr`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
 
-    __slots__ = ()
+    __slots__ = ("tow", "week_number", "alpha", "disturbance_flags", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "disturbance_flags", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x73
     NAME = "gnss_data.galileo_iono_correction"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "ddd", tuple),
+        ("disturbance_flags", "B", None),
+        ("valid_flags", "H", GalileoIonoCorrectionFlags),
+    )
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `GalileoIonoCorrectionFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    alpha: tuple[float, float, float]
+    """The three coefficients of the model. Valid if `GalileoIonoCorrectionFlags.ALPHA` of
+    `valid_flags` is set. Uncertain: The units.
+    """
+    disturbance_flags: int
+    """Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
+    `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
+    bits count from 0 or from 1, and which region each represents.
+    """
+    valid_flags: GalileoIonoCorrectionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: Sequence[float],
+        disturbance_flags: int,
+        valid_flags: GalileoIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = codec.several(alpha)
+        self.disturbance_flags = disturbance_flags
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GalileoIonoCorrection, int]:
+        v = _GALILEO_IONO_CORRECTION_0.read(raw, at)
+        at += 37
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:5]
+        disturbance_flags = v[5]
+        valid_flags = GalileoIonoCorrectionFlags(v[6])
+        return cls(tow, week_number, alpha, disturbance_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GALILEO_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 3),
+            self.disturbance_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
-class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
-    """BeiDou ionospheric correction (0x81,0x74).
+_BEIDOU_IONO_CORRECTION_0 = codec.Block(
+    "dHdddddddddddddddddH",
+    "tow",
+    "week_number",
+    *["alpha"] * 4,
+    *["beta"] * 4,
+    *["alpha_correction"] * 9,
+    "valid_flags",
+)
+
+
+class BeidouIonoCorrection(Shared, Data):
+    """BeiDou ionospheric correction (0x74).
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. Not listed in
-    any device profile. Known only from the MicroStrain MIP SDK.
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Also called `beidou_iono_corr`. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
-    - mip-sdk-4: Gnss Data (0x81)
+    - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """
 
-    __slots__ = ()
+    __slots__ = ("tow", "week_number", "alpha", "beta", "alpha_correction", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "beta", "alpha_correction", "valid_flags")
 
-    SET = 0x81
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x74
     NAME = "gnss_data.beidou_iono_correction"
+    ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "dddd", tuple),
+        ("beta", "dddd", tuple),
+        ("alpha_correction", "ddddddddd", tuple),
+        ("valid_flags", "H", BeidouIonoCorrectionFlags),
+    )
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `BeidouIonoCorrectionFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if `BeidouIonoCorrectionFlags.ALPHA` of `valid_flags` is
+    set. Uncertain: The units.
+    """
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if `BeidouIonoCorrectionFlags.BETA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    alpha_correction: tuple[float, ...]
+    """Nine further coefficients of the delay. Valid if `BeidouIonoCorrectionFlags.ALPHA_CORRECTION`
+    of `valid_flags` is set. Uncertain: The units.
+    """
+    valid_flags: BeidouIonoCorrectionFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: Sequence[float],
+        beta: Sequence[float],
+        alpha_correction: Sequence[float],
+        valid_flags: BeidouIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = codec.several(alpha)
+        self.beta = codec.several(beta)
+        self.alpha_correction = codec.several(alpha_correction)
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BeidouIonoCorrection, int]:
+        v = _BEIDOU_IONO_CORRECTION_0.read(raw, at)
+        at += 148
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        alpha_correction = v[10:19]
+        valid_flags = BeidouIonoCorrectionFlags(v[19])
+        return cls(tow, week_number, alpha, beta, alpha_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _BEIDOU_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            *codec.exactly("alpha_correction", self.alpha_correction, 9),
+            self.valid_flags,
+        )
+        return codec.finished(out)
 
 
 #: The types of each descriptor; several if constants or the size of the data distinguish layouts.

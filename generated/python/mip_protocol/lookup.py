@@ -8,12 +8,14 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from ._index import DEVICES, FIELDS, SETS
+from ._index import DEVICES, FAMILIES, FIELDS, SETS
 from .errors import UnknownName
 from .field import Field
 
 #: Words of names in other bindings that say nothing of the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
+#: What begins names in C, and those of modules that would begin with a digit: `mip` of `mip_3dm`.
+PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 
 def field(name: str) -> type[Field]:
@@ -36,14 +38,17 @@ def _checked(name: Any, what: str) -> str:
 
 def _named(name: str) -> tuple[str, ...]:
     """The full names of the fields with this name."""
-    if name in FIELDS:
-        return (name,)
+    first, _, own = name.partition(".")
+    full = f"{FAMILIES.get(first, first)}.{own}"
+    if full in FIELDS:
+        return (full,)
     numbers = re.fullmatch(r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", name.strip(), re.I)
     if numbers:
         from .registry import types
 
         return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
-    words = _words(name)
+    words, prefix = _words(name), _words(PREFIX)
+    words = words[len(prefix) :] if words[: len(prefix)] == prefix else words
     found = _keys().get("".join(words)) or _keys().get(_key(words), ())
     for role in ("command", "data"):
         hinted = tuple(x for x in found if FIELDS[x][2] == role)
@@ -54,8 +59,8 @@ def _named(name: str) -> tuple[str, ...]:
 
 def _words(name: str) -> list[str]:
     """
-    >>> _words("sensor.ScaledAccel"), _words("mip_3dm_poll_data_command")
-    (['sensor', 'scaled', 'accel'], ['mip', '3dm', 'poll', 'data', 'command'])
+    >>> _words("sensor.ScaledAccel"), _words("sensor_scaled_accel_data")
+    (['sensor', 'scaled', 'accel'], ['sensor', 'scaled', 'accel', 'data'])
     """
     apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
     return re.findall(r"[a-z0-9]+", apart.lower())
@@ -74,11 +79,13 @@ def _keys() -> dict[str, tuple[str, ...]]:
     """Names of fields, without their insignificant parts -> full names."""
     found: dict[str, dict[str, None]] = {}
     for full, (_, _, _, title, also) in FIELDS.items():
-        set, _, own = full.partition(".")
-        for called in (own, title, *also):
-            for words in (_words(called), _words(f"{set}.{called}")):
-                for key in ("".join(words), _key(words)):
-                    found.setdefault(key, {})[full] = None
+        family, _, own = full.partition(".")
+        sets = ("", family, *(name for name, of in FAMILIES.items() if of == family))
+        for words in (
+            _words(f"{first} {called}") for called in (own, title, *also) for first in sets
+        ):
+            for key in ("".join(words), _key(words)):
+                found.setdefault(key, {})[full] = None
     return {key: tuple(names) for key, names in found.items()}
 
 
@@ -99,7 +106,7 @@ def set_number(name: str) -> int:
         number = None
     found = [n for n, names in SETS.items() if n == number or name in names]
     if not found:
-        wanted = _joined(name).removeprefix("mip")  # the module of 3dm is mip_3dm
+        wanted = _joined(name).removeprefix(_joined(PREFIX))
         found = [n for n, names in SETS.items() if wanted in map(_joined, names)]
     if len(found) == 1:
         return found[0]

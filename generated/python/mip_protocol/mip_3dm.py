@@ -431,6 +431,7 @@ class ImuMessageFormatResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x80
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
@@ -476,6 +477,7 @@ class GnssMessageFormatResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x81
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
@@ -523,6 +525,7 @@ class FilterMessageFormatResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x82
     NAME = "3dm.filter_message_format_response"
     ROLE = "response"
@@ -569,6 +572,7 @@ class GetImuBaseRateResponse(Response):
     __match_args__ = ("rate",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x83
     NAME = "3dm.get_imu_base_rate_response"
     ROLE = "response"
@@ -609,6 +613,7 @@ class GetGnssBaseRateResponse(Response):
     __match_args__ = ("rate",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x84
     NAME = "3dm.get_gnss_base_rate_response"
     ROLE = "response"
@@ -653,6 +658,7 @@ class DataStreamControlResponse(Response):
     __match_args__ = ("descriptor_set", "enabled")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
@@ -706,6 +712,7 @@ class UartBaudRateResponse(Response):
     __match_args__ = ("baud",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x87
     NAME = "3dm.uart_baud_rate_response"
     ROLE = "response"
@@ -745,6 +752,7 @@ class GetFilterBaseRateResponse(Response):
     __match_args__ = ("rate",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x8A
     NAME = "3dm.get_filter_base_rate_response"
     ROLE = "response"
@@ -788,6 +796,7 @@ class ImuLowPassFilterResponse(Response):
     __match_args__ = ("target_descriptor", "enable", "manual", "frequency", "reserved")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x8B
     NAME = "3dm.imu_low_pass_filter_response"
     ROLE = "response"
@@ -854,6 +863,7 @@ class NmeaMessageFormatResponse(Response):
     __match_args__ = ("format_entries",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x8C
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
@@ -901,6 +911,7 @@ class GetBaseRateResponse(Response):
     __match_args__ = ("descriptor_set", "rate")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x8E
     NAME = "3dm.get_base_rate_response"
     ROLE = "response"
@@ -943,6 +954,7 @@ class MessageFormatResponse(Response):
     __match_args__ = ("descriptor_set", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x8F
     NAME = "3dm.message_format_response"
     ROLE = "response"
@@ -1002,6 +1014,7 @@ class DeviceStatusBasicResponse(Response):
     __match_args__ = ("model_number", "status_flags", "system_state", "system_timer")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
@@ -1075,6 +1088,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     __match_args__ = ("model_number", "status_flags", "system_timer")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_without_state_response"
     ROLE = "response"
@@ -1190,6 +1204,7 @@ class DeviceStatusDiagnosticResponse(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
@@ -1425,6 +1440,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gnss_response"
     ROLE = "response"
@@ -1723,6 +1739,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gq4_45_response"
     ROLE = "response"
@@ -2043,6 +2060,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_rq1_45_response"
     ROLE = "response"
@@ -2345,6 +2363,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_gx4_response"
     ROLE = "response"
@@ -2605,6 +2624,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_diagnostic_imu_response"
     ROLE = "response"
@@ -2810,6 +2830,7 @@ class ComplementaryFilterResponse(Response):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x97
     NAME = "3dm.complementary_filter_response"
     ROLE = "response"
@@ -2880,6 +2901,7 @@ class AccelBiasResponse(Response):
     __match_args__ = ("bias",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x9A
     NAME = "3dm.accel_bias_response"
     ROLE = "response"
@@ -2924,6 +2946,7 @@ class GyroBiasResponse(Response):
     __match_args__ = ("bias",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x9B
     NAME = "3dm.gyro_bias_response"
     ROLE = "response"
@@ -2965,6 +2988,7 @@ class MagHardIronOffsetResponse(Response):
     __match_args__ = ("offset",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x9C
     NAME = "3dm.mag_hard_iron_offset_response"
     ROLE = "response"
@@ -3006,6 +3030,7 @@ class MagSoftIronMatrixResponse(Response):
     __match_args__ = ("matrix",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x9D
     NAME = "3dm.mag_soft_iron_matrix_response"
     ROLE = "response"
@@ -3048,6 +3073,7 @@ class ConingScullingEnableResponse(Response):
     __match_args__ = ("enable",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x9E
     NAME = "3dm.coning_sculling_enable_response"
     ROLE = "response"
@@ -3092,6 +3118,7 @@ class ConstellationSettingsResponse(Response):
     __match_args__ = ("max_channels_available", "max_channels_use", "settings")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xA0
     NAME = "3dm.constellation_settings_response"
     ROLE = "response"
@@ -3156,6 +3183,7 @@ class GnssSbasSettingsResponse(Response):
     __match_args__ = ("enable_sbas", "sbas_options", "included_prns")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xA1
     NAME = "3dm.gnss_sbas_settings_response"
     ROLE = "response"
@@ -3216,6 +3244,7 @@ class GnssAssistedFixResponse(Response):
     __match_args__ = ("option", "flags")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xA2
     NAME = "3dm.gnss_assisted_fix_response"
     ROLE = "response"
@@ -3259,6 +3288,7 @@ class GnssTimeAssistanceResponse(Response):
     __match_args__ = ("tow", "week_number", "accuracy")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xA3
     NAME = "3dm.gnss_time_assistance_response"
     ROLE = "response"
@@ -3306,6 +3336,7 @@ class PpsSourceControlResponse(Response):
     __match_args__ = ("source",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xA8
     NAME = "3dm.pps_source_control_response"
     ROLE = "response"
@@ -3345,6 +3376,7 @@ class SensorToVehicleTransformEulerResponse(Response):
     __match_args__ = ("roll", "pitch", "yaw")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB1
     NAME = "3dm.sensor_to_vehicle_transform_euler_response"
     ROLE = "response"
@@ -3392,6 +3424,7 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     __match_args__ = ("q",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB2
     NAME = "3dm.sensor_to_vehicle_transform_quaternion_response"
     ROLE = "response"
@@ -3436,6 +3469,7 @@ class SensorToVehicleTransformDcmResponse(Response):
     __match_args__ = ("dcm",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB3
     NAME = "3dm.sensor_to_vehicle_transform_dcm_response"
     ROLE = "response"
@@ -3477,6 +3511,7 @@ class GetEventSupportResponse(Response):
     __match_args__ = ("query", "max_instances", "entries")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB4
     NAME = "3dm.get_event_support_response"
     ROLE = "response"
@@ -3537,6 +3572,7 @@ class EventControlResponse(Response):
     __match_args__ = ("instance", "mode")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB5
     NAME = "3dm.event_control_response"
     ROLE = "response"
@@ -3579,6 +3615,7 @@ class GetEventTriggerStatusResponse(Response):
     __match_args__ = ("triggers",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB6
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
@@ -3624,6 +3661,7 @@ class GetEventActionStatusResponse(Response):
     __match_args__ = ("actions",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB7
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
@@ -3668,6 +3706,7 @@ class EventTriggerConfigResponse(Response):
     __match_args__ = ("instance", "type", "parameters")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB8
     NAME = "3dm.event_trigger_config_response"
     ROLE = "response"
@@ -3754,6 +3793,7 @@ class EventActionConfigResponse(Response):
     __match_args__ = ("instance", "trigger", "type", "parameters")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xB9
     NAME = "3dm.event_action_config_response"
     ROLE = "response"
@@ -3829,6 +3869,7 @@ class GpioConfigResponse(Response):
     __match_args__ = ("pin", "feature", "behavior", "pin_mode")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xC1
     NAME = "3dm.gpio_config_response"
     ROLE = "response"
@@ -3894,6 +3935,7 @@ class GpioStateResponse(Response):
     __match_args__ = ("pin", "state")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xC2
     NAME = "3dm.gpio_state_response"
     ROLE = "response"
@@ -3936,6 +3978,7 @@ class OdometerConfigResponse(Response):
     __match_args__ = ("mode", "scaling", "uncertainty")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xC3
     NAME = "3dm.odometer_config_response"
     ROLE = "response"
@@ -3984,6 +4027,7 @@ class SensorRangeResponse(Response):
     __match_args__ = ("sensor", "setting")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xD2
     NAME = "3dm.sensor_range_response"
     ROLE = "response"
@@ -4027,6 +4071,7 @@ class GetCalibratedSensorRangesResponse(Response):
     __match_args__ = ("sensor", "ranges")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xD3
     NAME = "3dm.get_calibrated_sensor_ranges_response"
     ROLE = "response"
@@ -4085,6 +4130,7 @@ class LowPassFilterResponse(Response):
     __match_args__ = ("descriptor_set", "field_descriptor", "enable", "manual", "frequency")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0xD4
     NAME = "3dm.low_pass_filter_response"
     ROLE = "response"
@@ -4162,6 +4208,7 @@ class PollImuData(Command[None]):
     __match_args__ = ("suppress_ack", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x01
     NAME = "3dm.poll_imu_data"
     ROLE = "command"
@@ -4223,6 +4270,7 @@ class PollGnssData(Command[None]):
     __match_args__ = ("suppress_ack", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x02
     NAME = "3dm.poll_gnss_data"
     ROLE = "command"
@@ -4286,6 +4334,7 @@ class PollFilterData(Command[None]):
     __match_args__ = ("suppress_ack", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x03
     NAME = "3dm.poll_filter_data"
     ROLE = "command"
@@ -4346,6 +4395,7 @@ class PollNmeaData(Command[None]):
     __match_args__ = ("suppress_ack", "format_entries")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x04
     NAME = "3dm.poll_nmea_data"
     ROLE = "command"
@@ -4400,6 +4450,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     __slots__ = ()
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x06
     NAME = "3dm.get_imu_base_rate"
     ROLE = "command"
@@ -4428,6 +4479,7 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     __slots__ = ()
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x07
     NAME = "3dm.get_gnss_base_rate"
     ROLE = "command"
@@ -4466,6 +4518,7 @@ class ImuMessageFormat(Command[R]):
     __match_args__ = ("function", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x08
     NAME = "3dm.imu_message_format"
     ROLE = "command"
@@ -4579,6 +4632,7 @@ class GnssMessageFormat(Command[R]):
     __match_args__ = ("function", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x09
     NAME = "3dm.gnss_message_format"
     ROLE = "command"
@@ -4693,6 +4747,7 @@ class FilterMessageFormat(Command[R]):
     __match_args__ = ("function", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0A
     NAME = "3dm.filter_message_format"
     ROLE = "command"
@@ -4798,6 +4853,7 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     __slots__ = ()
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0B
     NAME = "3dm.get_filter_base_rate"
     ROLE = "command"
@@ -4836,6 +4892,7 @@ class NmeaMessageFormat(Command[R]):
     __match_args__ = ("function", "format_entries")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0C
     NAME = "3dm.nmea_message_format"
     ROLE = "command"
@@ -4949,6 +5006,7 @@ class PollData(Command[None]):
     __match_args__ = ("descriptor_set", "suppress_ack", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0D
     NAME = "3dm.poll_data"
     ROLE = "command"
@@ -5011,6 +5069,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     __match_args__ = ("descriptor_set",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0E
     NAME = "3dm.get_base_rate"
     ROLE = "command"
@@ -5060,6 +5119,7 @@ class MessageFormat(Command[R]):
     __match_args__ = ("function", "descriptor_set", "descriptors")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x0F
     NAME = "3dm.message_format"
     ROLE = "command"
@@ -5185,6 +5245,7 @@ class FactoryStreaming(Command[None]):
     __match_args__ = ("action", "reserved")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x10
     NAME = "3dm.factory_streaming"
     ROLE = "command"
@@ -5241,6 +5302,7 @@ class DataStreamControl(Command[R]):
     __match_args__ = ("function", "descriptor_set", "enable")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x11
     NAME = "3dm.data_stream_control"
     ROLE = "command"
@@ -5379,6 +5441,7 @@ class ConstellationSettings(Command[R]):
     __match_args__ = ("function", "max_channels", "settings")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x21
     NAME = "3dm.constellation_settings"
     ROLE = "command"
@@ -5514,6 +5577,7 @@ class GnssSbasSettings(Command[R]):
     __match_args__ = ("function", "enable_sbas", "sbas_options", "included_prns")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x22
     NAME = "3dm.gnss_sbas_settings"
     ROLE = "command"
@@ -5674,6 +5738,7 @@ class GnssAssistedFix(Command[R]):
     __match_args__ = ("function", "option", "flags")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x23
     NAME = "3dm.gnss_assisted_fix"
     ROLE = "command"
@@ -5803,6 +5868,7 @@ class GnssTimeAssistance(Command[R]):
     __match_args__ = ("function", "tow", "week_number", "accuracy")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x24
     NAME = "3dm.gnss_time_assistance"
     ROLE = "command"
@@ -5922,6 +5988,7 @@ class PpsSourceControl(Command[R]):
     __match_args__ = ("function", "source")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x28
     NAME = "3dm.pps_source_control"
     ROLE = "command"
@@ -6020,6 +6087,7 @@ class GetEventSupport(Command[GetEventSupportResponse]):
     __match_args__ = ("query",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2A
     NAME = "3dm.get_event_support"
     ROLE = "command"
@@ -6068,6 +6136,7 @@ class EventControl(Command[R]):
     __match_args__ = ("function", "instance", "mode")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2B
     NAME = "3dm.event_control"
     ROLE = "command"
@@ -6180,6 +6249,7 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     __match_args__ = ("requested_instances",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2C
     NAME = "3dm.get_event_trigger_status"
     ROLE = "command"
@@ -6232,6 +6302,7 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     __match_args__ = ("requested_instances",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2D
     NAME = "3dm.get_event_action_status"
     ROLE = "command"
@@ -6295,6 +6366,7 @@ class EventTriggerConfig(Command[R]):
     __match_args__ = ("function", "instance", "type", "parameters")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2E
     NAME = "3dm.event_trigger_config"
     ROLE = "command"
@@ -6473,6 +6545,7 @@ class EventActionConfig(Command[R]):
     __match_args__ = ("function", "instance", "trigger", "type", "parameters")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x2F
     NAME = "3dm.event_action_config"
     ROLE = "command"
@@ -6644,6 +6717,7 @@ class DeviceSettings(Command[None]):
     __match_args__ = ("function",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x30
     NAME = "3dm.device_settings"
     ROLE = "command"
@@ -6718,6 +6792,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     __match_args__ = ("function", "roll", "pitch", "yaw")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x31
     NAME = "3dm.sensor_to_vehicle_transform_euler"
     ROLE = "command"
@@ -6861,6 +6936,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     __match_args__ = ("function", "q")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x32
     NAME = "3dm.sensor_to_vehicle_transform_quaternion"
     ROLE = "command"
@@ -6977,6 +7053,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     __match_args__ = ("function", "dcm")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x33
     NAME = "3dm.sensor_to_vehicle_transform_dcm"
     ROLE = "command"
@@ -7087,6 +7164,7 @@ class AccelBias(Command[R]):
     __match_args__ = ("function", "bias")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x37
     NAME = "3dm.accel_bias"
     ROLE = "command"
@@ -7206,6 +7284,7 @@ class GyroBias(Command[R]):
     __match_args__ = ("function", "bias")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x38
     NAME = "3dm.gyro_bias"
     ROLE = "command"
@@ -7320,6 +7399,7 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     __match_args__ = ("averaging_time_ms",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x39
     NAME = "3dm.capture_gyro_bias"
     ROLE = "command"
@@ -7372,6 +7452,7 @@ class MagHardIronOffset(Command[R]):
     __match_args__ = ("function", "offset")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x3A
     NAME = "3dm.mag_hard_iron_offset"
     ROLE = "command"
@@ -7495,6 +7576,7 @@ class MagSoftIronMatrix(Command[R]):
     __match_args__ = ("function", "matrix")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x3B
     NAME = "3dm.mag_soft_iron_matrix"
     ROLE = "command"
@@ -7610,6 +7692,7 @@ class ConingScullingEnable(Command[R]):
     __match_args__ = ("function", "enable")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x3E
     NAME = "3dm.coning_sculling_enable"
     ROLE = "command"
@@ -7715,6 +7798,7 @@ class UartBaudRate(Command[R]):
     __match_args__ = ("function", "baud")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x40
     NAME = "3dm.uart_baud_rate"
     ROLE = "command"
@@ -7829,6 +7913,7 @@ class GpioConfig(Command[R]):
     __match_args__ = ("function", "pin", "feature", "behavior", "pin_mode")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x41
     NAME = "3dm.gpio_config"
     ROLE = "command"
@@ -7989,6 +8074,7 @@ class GpioState(Command[R]):
     __match_args__ = ("function", "pin", "state")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x42
     NAME = "3dm.gpio_state"
     ROLE = "command"
@@ -8090,6 +8176,7 @@ class OdometerConfig(Command[R]):
     __match_args__ = ("function", "mode", "scaling", "uncertainty")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x43
     NAME = "3dm.odometer_config"
     ROLE = "command"
@@ -8240,6 +8327,7 @@ class ImuLowPassFilter(Command[R]):
     __match_args__ = ("function", "target_descriptor", "enable", "manual", "frequency", "reserved")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x50
     NAME = "3dm.imu_low_pass_filter"
     ROLE = "command"
@@ -8448,6 +8536,7 @@ class ComplementaryFilter(Command[R]):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x51
     NAME = "3dm.complementary_filter"
     ROLE = "command"
@@ -8623,6 +8712,7 @@ class SensorRange(Command[R]):
     __match_args__ = ("function", "sensor", "setting")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x52
     NAME = "3dm.sensor_range"
     ROLE = "command"
@@ -8738,6 +8828,7 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     __match_args__ = ("sensor",)
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x53
     NAME = "3dm.get_calibrated_sensor_ranges"
     ROLE = "command"
@@ -8803,6 +8894,7 @@ class LowPassFilter(Command[R]):
     )
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x54
     NAME = "3dm.low_pass_filter"
     ROLE = "command"
@@ -9012,6 +9104,7 @@ class DeviceStatus(
     __match_args__ = ("model_number", "status_selector")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x64
     NAME = "3dm.device_status"
     ROLE = "command"

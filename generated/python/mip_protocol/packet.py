@@ -12,10 +12,13 @@ from .errors import DecodeError, EncodeError, PacketError
 SYNC = b"\x75\x65"
 MAX_PAYLOAD = 255
 OVERHEAD = 6
+#: No packet has these sets: they stand for the fields of every command set and of every data set.
+NO_SETS = b"\x00\xff"
 
 
 __all__ = [
     "MAX_PAYLOAD",
+    "NO_SETS",
     "OVERHEAD",
     "SYNC",
     "Packet",
@@ -86,7 +89,7 @@ class Packet:
         data = data if type(data) is bytes else as_bytes(data)  # a bytearray may change later
         if data[:2] != SYNC:
             raise PacketError("sync", f"begins with {data[:2].hex() or 'nothing'}, not with 7565")
-        if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] == 0:
+        if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] in NO_SETS:
             raise PacketError("length", f"{len(data)} bytes do not make a packet")
         if checksum(data[:-2]) != data[-2:]:
             right = checksum(data[:-2]).hex()

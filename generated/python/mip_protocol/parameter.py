@@ -33,7 +33,6 @@ class Variant:
 
     by: str  # "device", or the attribute that holds the other value
     keys: tuple[str | int, ...]  # ids of devices, or that value
-    text: str
     changes: dict[str, Any]  # attributes of `Parameter` -> what they are there
     member: str = ""  # of a structure: the attribute that differs, in place of the whole
 
@@ -45,8 +44,6 @@ class Parameter:
     name: str
     attribute: str
     kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    description: str = ""
-    facts: tuple[str, ...] = ()  # further sentences
     scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
     size: int = 0
     elements: tuple[str, ...] = ()  # of a vector
@@ -73,6 +70,7 @@ class Parameter:
     only: tuple[str, ...] = ()  # of the values or bits that its type names, those that there are
     variants: tuple[Variant, ...] = ()
     flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by id of the device
+    owner: Any = field(default=None, compare=False, repr=False)  # the class that documents it
 
     @property
     def derived(self) -> bool:
@@ -108,9 +106,11 @@ class Parameter:
 
     @property
     def text(self) -> str:
-        """Its full description, as in the documentation of its class."""
-        cases = [p.text for p in self.cases.values() if p is not None]
-        return " ".join(filter(None, (self.description, *self.facts, *cases)))
+        """Its documentation; that of a union's case is part of the union's."""
+        from . import prose
+
+        name = self.name if self.derived else self.attribute
+        return prose.text(self.owner, name) if self.owner else ""
 
     def on(self, device: str) -> Parameter:
         """The parameter on a device. `device` is its id or another name; raises UnknownName."""

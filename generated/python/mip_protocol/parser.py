@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from .checks import HEADS, is_correct
-from .packet import OVERHEAD, SYNC, Packet
+from .packet import NO_SETS, OVERHEAD, SYNC, Packet
 
 if TYPE_CHECKING:
     from typing_extensions import Buffer
@@ -75,7 +75,7 @@ class Scanner(Generic[T]):
         rest, at = self._rest, 0
         while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
             end = at + rest[at + 3] + OVERHEAD
-            if end <= len(rest) and rest[at + 2] != 0 and is_correct(rest[at:end]):
+            if end <= len(rest) and rest[at + 2] not in NO_SETS and is_correct(rest[at:end]):
                 self.skipped += at
                 found.append(rest[:at])
                 self._rest = rest[at:]
@@ -99,7 +99,7 @@ class Scanner(Generic[T]):
                 waits = not final and buffer.endswith(SYNC[:1], at)
                 return length - waits, 0
             at = found
-            if length - at > 2 and buffer[at + 2] == 0:  # no packet has descriptor set 0
+            if length - at > 2 and buffer[at + 2] in NO_SETS:
                 at += 1
                 continue
             size = buffer[at + 3] + OVERHEAD if length - at > 3 else OVERHEAD

@@ -43,6 +43,7 @@ class Acknowledge(Shared, Response):
     __match_args__ = ("command", "code")
 
     SET = 0x00
+    SETS = range(0x01, 0x80)
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
     ROLE = "response"

@@ -9,7 +9,6 @@ The description of a set is loaded when it is first used.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from enum import IntEnum, IntFlag
 from functools import cache
 from importlib import import_module
@@ -53,9 +52,11 @@ def _info(kind: type) -> Info:
 @cache
 def set_info(number: int) -> SetInfo:
     """The description of a descriptor set. Raises LookupError if it is unknown."""
-    found = import_module(f"._meaning.{MODULES[number]}", __package__).SET
-    assert isinstance(found, SetInfo)
-    return found
+    from . import prose
+    from ._index import SETS
+
+    name, title = SETS[number]
+    return SetInfo(name, number, title, prose.of_set(f"{__package__}.{MODULES[number]}", name))
 
 
 @cache
@@ -70,22 +71,4 @@ def _table(module: str) -> dict[str, Info]:
     return table
 
 
-class _Parameters(Mapping[type, tuple[Parameter, ...]]):
-    def __getitem__(self, kind: type) -> tuple[Parameter, ...]:
-        found = info(kind)
-        if not isinstance(found, StructureInfo):
-            raise KeyError(kind)
-        return found.parameters
-
-    def __iter__(self) -> Iterator[type]:
-        for module in ("protocol", "types", *MODULES.values()):
-            yield from (x.type for x in _table(module).values() if isinstance(x, StructureInfo))
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-
-#: Fields and structures -> their parameters, in wire order. To go through it loads all sets.
-PARAMETERS: Mapping[type, tuple[Parameter, ...]] = _Parameters()
-
-__all__ = ["PARAMETERS", "Flag", "Item", "Parameter", "Variant", "info", "items", "set_info"]
+__all__ = ["Flag", "Item", "Parameter", "Variant", "info", "items", "set_info"]

@@ -32,12 +32,13 @@ def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
 
     If there are several, constants in the data, or its size, distinguish them.
     """
-    if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
-        return (Acknowledge,)
-    found = _fields(set).get(descriptor, ())
-    if not found and set >= 0x80:
-        found = _fields(SHARED_SET).get(descriptor, ())
-    return found
+    own = _in_set(set, descriptor)
+    everywhere: list[type[Field]] = [Acknowledge, *_fields(SHARED_SET).get(descriptor, ())]
+    return own or tuple(t for t in everywhere if t.DESCRIPTOR == descriptor and set in t.SETS)
+
+
+def _in_set(set: int, descriptor: int) -> tuple[type[Field], ...]:
+    return tuple(t for t in _fields(set).get(descriptor, ()) if set in t.SETS or set == SHARED_SET)
 
 
 @cache
@@ -79,8 +80,8 @@ def all_types() -> list[tuple[int, type[Field]]]:
     """Every (set, type) of the specification, in order."""
     found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
     for number in MODULES:
-        for group in _fields(number).values():
-            found += [(number, t) for t in group]
+        for descriptor in _fields(number):
+            found += [(number, t) for t in _in_set(number, descriptor)]
     return found
 
 

@@ -86,6 +86,7 @@ class GetStatusFlagsResponse(Response):
     __match_args__ = ("flags",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x81
     NAME = "rtk.get_status_flags_response"
     ROLE = "response"
@@ -121,6 +122,7 @@ class GetImeiResponse(Response):
     __match_args__ = ("imei",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x82
     NAME = "rtk.get_imei_response"
     ROLE = "response"
@@ -155,6 +157,7 @@ class GetImsiResponse(Response):
     __match_args__ = ("imsi",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x83
     NAME = "rtk.get_imsi_response"
     ROLE = "response"
@@ -189,6 +192,7 @@ class GetIccidResponse(Response):
     __match_args__ = ("iccid",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x84
     NAME = "rtk.get_iccid_response"
     ROLE = "response"
@@ -227,6 +231,7 @@ class GetRssiResponse(Response):
     __match_args__ = ("valid", "rssi", "signal_quality")
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x85
     NAME = "rtk.get_rssi_response"
     ROLE = "response"
@@ -273,6 +278,7 @@ class ConnectedDeviceTypeResponse(Response):
     __match_args__ = ("device_type",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x86
     NAME = "rtk.connected_device_type_response"
     ROLE = "response"
@@ -309,6 +315,7 @@ class GetActivationCodeResponse(Response):
     __match_args__ = ("activation_code",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x87
     NAME = "rtk.get_activation_code_response"
     ROLE = "response"
@@ -343,6 +350,7 @@ class GetModemFirmwareVersionResponse(Response):
     __match_args__ = ("modem_firmware_version",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x88
     NAME = "rtk.get_modem_firmware_version_response"
     ROLE = "response"
@@ -385,6 +393,7 @@ class ServiceStatusResponse(Response):
     __match_args__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x8A
     NAME = "rtk.service_status_response"
     ROLE = "response"
@@ -445,6 +454,7 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x01
     NAME = "rtk.get_status_flags"
     ROLE = "command"
@@ -472,6 +482,7 @@ class GetImei(Command[GetImeiResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x02
     NAME = "rtk.get_imei"
     ROLE = "command"
@@ -499,6 +510,7 @@ class GetImsi(Command[GetImsiResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x03
     NAME = "rtk.get_imsi"
     ROLE = "command"
@@ -526,6 +538,7 @@ class GetIccid(Command[GetIccidResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x04
     NAME = "rtk.get_iccid"
     ROLE = "command"
@@ -553,6 +566,7 @@ class GetRssi(Command[GetRssiResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x05
     NAME = "rtk.get_rssi"
     ROLE = "command"
@@ -587,6 +601,7 @@ class ConnectedDeviceType(Command[R]):
     __match_args__ = ("function", "device_type")
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x06
     NAME = "rtk.connected_device_type"
     ROLE = "command"
@@ -683,6 +698,7 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x07
     NAME = "rtk.get_activation_code"
     ROLE = "command"
@@ -710,6 +726,7 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x08
     NAME = "rtk.get_modem_firmware_version"
     ROLE = "command"
@@ -743,6 +760,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
     __match_args__ = ("reserved1", "reserved2")
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x0A
     NAME = "rtk.service_status"
     ROLE = "command"
@@ -791,6 +809,7 @@ class EraseStorage(Command[None]):
     __match_args__ = ("media",)
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x20
     NAME = "rtk.erase_storage"
     ROLE = "command"
@@ -835,6 +854,7 @@ class LedControl(Command[None]):
     __match_args__ = ("primary_color", "alternate_color", "action", "period")
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x21
     NAME = "rtk.led_control"
     ROLE = "command"
@@ -901,6 +921,7 @@ class ModemHardReset(Command[None]):
     __slots__ = ()
 
     SET = 0x0F
+    SETS = (0x0F,)
     DESCRIPTOR = 0x22
     NAME = "rtk.modem_hard_reset"
     ROLE = "command"

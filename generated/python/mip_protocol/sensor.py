@@ -66,6 +66,7 @@ class RawAccel(Data):
     __match_args__ = ("raw_accel",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x01
     NAME = "sensor.raw_accel"
     ROLE = "data"
@@ -107,6 +108,7 @@ class RawGyro(Data):
     __match_args__ = ("raw_gyro",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x02
     NAME = "sensor.raw_gyro"
     ROLE = "data"
@@ -148,6 +150,7 @@ class RawMag(Data):
     __match_args__ = ("raw_mag",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x03
     NAME = "sensor.raw_mag"
     ROLE = "data"
@@ -193,6 +196,7 @@ class ScaledAccel(Data):
     __match_args__ = ("scaled_accel",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x04
     NAME = "sensor.scaled_accel"
     ROLE = "data"
@@ -235,6 +239,7 @@ class ScaledGyro(Data):
     __match_args__ = ("scaled_gyro",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x05
     NAME = "sensor.scaled_gyro"
     ROLE = "data"
@@ -276,6 +281,7 @@ class ScaledMag(Data):
     __match_args__ = ("scaled_mag",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x06
     NAME = "sensor.scaled_mag"
     ROLE = "data"
@@ -318,6 +324,7 @@ class DeltaTheta(Data):
     __match_args__ = ("delta_theta",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x07
     NAME = "sensor.delta_theta"
     ROLE = "data"
@@ -362,6 +369,7 @@ class DeltaVelocity(Data):
     __match_args__ = ("delta_velocity",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x08
     NAME = "sensor.delta_velocity"
     ROLE = "data"
@@ -407,6 +415,7 @@ class CompOrientationMatrix(Data):
     __match_args__ = ("m",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x09
     NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
@@ -456,6 +465,7 @@ class CompQuaternion(Data):
     __match_args__ = ("q",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0A
     NAME = "sensor.comp_quaternion"
     ROLE = "data"
@@ -503,6 +513,7 @@ class CompOrientationUpdateMatrix(Data):
     __match_args__ = ("m",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0B
     NAME = "sensor.comp_orientation_update_matrix"
     ROLE = "data"
@@ -547,6 +558,7 @@ class CompEulerAngles(Data):
     __match_args__ = ("roll", "pitch", "yaw")
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0C
     NAME = "sensor.comp_euler_angles"
     ROLE = "data"
@@ -597,6 +609,7 @@ class OrientationRawTemperature(Data):
     __match_args__ = ("raw_temperature",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0D
     NAME = "sensor.orientation_raw_temperature"
     ROLE = "data"
@@ -640,6 +653,7 @@ class InternalTimestamp(Data):
     __match_args__ = ("counts",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0E
     NAME = "sensor.internal_timestamp"
     ROLE = "data"
@@ -681,6 +695,7 @@ class PpsTimestamp(Data):
     __match_args__ = ("seconds", "useconds")
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x0F
     NAME = "sensor.pps_timestamp"
     ROLE = "data"
@@ -729,6 +744,7 @@ class NorthVector(Data):
     __match_args__ = ("stabilized_mag",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x10
     NAME = "sensor.north_vector"
     ROLE = "data"
@@ -773,6 +789,7 @@ class UpVector(Data):
     __match_args__ = ("stabilized_accel",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x11
     NAME = "sensor.up_vector"
     ROLE = "data"
@@ -822,6 +839,7 @@ class GpsTimestamp(Data):
     __match_args__ = ("tow", "week_number", "valid_flags")
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
@@ -893,6 +911,7 @@ class TemperatureStatistics(Data):
     __match_args__ = ("min_temperature", "max_temperature", "mean_temperature")
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x14
     NAME = "sensor.temperature_statistics"
     ROLE = "data"
@@ -949,6 +968,7 @@ class RawPressure(Data):
     __match_args__ = ("raw_pressure",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x16
     NAME = "sensor.raw_pressure"
     ROLE = "data"
@@ -990,6 +1010,7 @@ class ScaledPressure(Data):
     __match_args__ = ("scaled_pressure",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x17
     NAME = "sensor.scaled_pressure"
     ROLE = "data"
@@ -1030,6 +1051,7 @@ class OverrangeStatus(Data):
     __match_args__ = ("status",)
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x18
     NAME = "sensor.overrange_status"
     ROLE = "data"
@@ -1070,6 +1092,7 @@ class Odometer(Data):
     __match_args__ = ("speed", "uncertainty", "valid_flags")
 
     SET = 0x80
+    SETS = (0x80,)
     DESCRIPTOR = 0x40
     NAME = "sensor.odometer"
     ROLE = "data"

@@ -62,6 +62,7 @@ class EventSource(Shared, Data):
     __match_args__ = ("trigger_id",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD0
     NAME = "shared.event_source"
     ROLE = "data"
@@ -106,6 +107,7 @@ class Ticks(Shared, Data):
     __match_args__ = ("ticks",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD1
     NAME = "shared.ticks"
     ROLE = "data"
@@ -149,6 +151,7 @@ class DeltaTicks(Shared, Data):
     __match_args__ = ("ticks",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD2
     NAME = "shared.delta_ticks"
     ROLE = "data"
@@ -197,6 +200,7 @@ class GpsTimestamp(Shared, Data):
     __match_args__ = ("tow", "week_number", "valid_flags")
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD3
     NAME = "shared.gps_timestamp"
     ROLE = "data"
@@ -254,6 +258,7 @@ class DeltaTime(Shared, Data):
     __match_args__ = ("seconds",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD4
     NAME = "shared.delta_time"
     ROLE = "data"
@@ -297,6 +302,7 @@ class ReferenceTimestamp(Shared, Data):
     __match_args__ = ("nanoseconds",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD5
     NAME = "shared.reference_timestamp"
     ROLE = "data"
@@ -339,6 +345,7 @@ class ReferenceTimeDelta(Shared, Data):
     __match_args__ = ("dt_nanos",)
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD6
     NAME = "shared.reference_time_delta"
     ROLE = "data"
@@ -382,6 +389,7 @@ class ExternalTimestamp(Shared, Data):
     __match_args__ = ("nanoseconds", "valid_flags")
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD7
     NAME = "shared.external_timestamp"
     ROLE = "data"
@@ -431,6 +439,7 @@ class ExternalTimeDelta(Shared, Data):
     __match_args__ = ("dt_nanos", "valid_flags")
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD8
     NAME = "shared.external_time_delta"
     ROLE = "data"

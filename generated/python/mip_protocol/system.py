@@ -62,6 +62,7 @@ class InterfaceControlResponse(Response):
     __match_args__ = ("port", "protocols_incoming", "protocols_outgoing")
 
     SET = 0x7F
+    SETS = (0x7F,)
     DESCRIPTOR = 0x82
     NAME = "system.interface_control_response"
     ROLE = "response"
@@ -119,6 +120,7 @@ class CommModeResponse(Response):
     __match_args__ = ("mode",)
 
     SET = 0x7F
+    SETS = (0x7F,)
     DESCRIPTOR = 0x90
     NAME = "system.comm_mode_response"
     ROLE = "response"
@@ -176,6 +178,7 @@ class InterfaceControl(Command[R]):
     __match_args__ = ("function", "port", "protocols_incoming", "protocols_outgoing")
 
     SET = 0x7F
+    SETS = (0x7F,)
     DESCRIPTOR = 0x02
     NAME = "system.interface_control"
     ROLE = "command"
@@ -323,6 +326,7 @@ class CommMode(Command[R]):
     __match_args__ = ("function", "mode")
 
     SET = 0x7F
+    SETS = (0x7F,)
     DESCRIPTOR = 0x10
     NAME = "system.comm_mode"
     ROLE = "command"

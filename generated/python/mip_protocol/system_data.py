@@ -50,6 +50,7 @@ class BuiltInTest(Data):
     __match_args__ = ("result",)
 
     SET = 0xA0
+    SETS = (0xA0,)
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
     ROLE = "data"
@@ -94,6 +95,7 @@ class TimeSyncStatus(Data):
     __match_args__ = ("time_sync", "last_pps_received")
 
     SET = 0xA0
+    SETS = (0xA0,)
     DESCRIPTOR = 0x02
     NAME = "system_data.time_sync_status"
     ROLE = "data"
@@ -143,6 +145,7 @@ class GpioState(Data):
     __match_args__ = ("states",)
 
     SET = 0xA0
+    SETS = (0xA0,)
     DESCRIPTOR = 0x03
     NAME = "system_data.gpio_state"
     ROLE = "data"
@@ -185,6 +188,7 @@ class GpioAnalogValue(Data):
     __match_args__ = ("gpio_id", "value")
 
     SET = 0xA0
+    SETS = (0xA0,)
     DESCRIPTOR = 0x04
     NAME = "system_data.gpio_analog_value"
     ROLE = "data"

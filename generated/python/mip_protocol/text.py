@@ -166,7 +166,7 @@ def _number(value: Any, json: bool) -> Any:
 
 def as_text(holder: Described, device: str | None) -> str:
     try:
-        name = holder.INFO.name
+        name = holder._called(holder.INFO.name)
     except AttributeError:
         return repr(holder)  # a class of the user's own
     try:
@@ -264,16 +264,16 @@ def _word(p: Parameter, value: Any) -> str:
         case str():
             return repr(value.strip("\0 "))
         case float() if p.scalar == "float":
-            return _shortest(value)
+            return shortest(value)
         case int():
             return str(int(value))
     return repr(value)
 
 
-def _shortest(value: float) -> str:
+def shortest(value: float) -> str:
     """The shortest text of a number that came in four bytes.
 
-    >>> _shortest(0.10000000149011612)
+    >>> shortest(0.10000000149011612)
     '0.1'
     """
     try:
@@ -289,4 +289,4 @@ def _shortest(value: float) -> str:
     return repr(float(f"{value:.9g}"))
 
 
-__all__ = ["Item", "as_dict", "as_text", "formatted", "items", "meant"]
+__all__ = ["Item", "as_dict", "as_text", "formatted", "items", "meant", "shortest"]

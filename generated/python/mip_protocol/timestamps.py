@@ -36,7 +36,7 @@ def clock_of(set: int, descriptor: int) -> str | None:
     kinds = registry.types(set, descriptor)
     if set < 0x80 or len(kinds) != 1:
         return None
-    return TIMESTAMPS.get((kinds[0].SET, descriptor))
+    return TIMESTAMPS.get((getattr(kinds[0], "SET", set), descriptor))
 
 
 @cache
@@ -146,7 +146,7 @@ def _size(kind: type[Field]) -> int:
 def time_of(field: Field) -> int | None:
     """The time that a field such as `shared.GpsTimestamp` holds, as `moments` has it; None if it is not
     valid. Raises ValueError if the field is not the timestamp of a packet."""
-    source = _source(field.SET, field.DESCRIPTOR)
+    source = _source(field.packet_set or field.SETS[0], field.DESCRIPTOR)
     if source is None:
         raise ValueError(f"{field.NAME} does not hold the time of its packet")
     return _time(source, field)
@@ -176,21 +176,3 @@ def utc(clock: str, time: int) -> int:
     """A time of a clock with a date as UTC; during a leap second the next one begins."""
     begins, shifts = leaps(clock)
     return time + shifts[bisect_right(begins, time)]
-
-
-__all__ = [
-    "MOST",
-    "REACH",
-    "SECOND",
-    "Leaps",
-    "clock_of",
-    "from_date",
-    "headers",
-    "kinds",
-    "leaps",
-    "moments",
-    "moments_of",
-    "scale",
-    "time_of",
-    "utc",
-]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 if __name__ == "types":
     raise ImportError(
-        "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
+        "this is types.py of mip_protocol, not Python's own: run Python in another folder"
     )
 
 from collections.abc import Sequence

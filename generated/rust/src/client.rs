@@ -773,7 +773,7 @@ impl<'c> Request<'c> {
     /// Appends a command. On an error the request is unchanged.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let set = self.table.packet.set();
-        if !C::in_set(set) {
+        if set != C::SET {
             return Err(EncodeError::set(C::NAME, C::SET, set).into());
         }
         self.table.add(command, None)
@@ -786,21 +786,21 @@ impl<'c> Request<'c> {
     ///
     /// ```
     /// use mip_protocol::device::{Device, DeviceError, Port};
-    /// use mip_protocol::AnyField;
+    /// use mip_protocol::{AnyField, RequestError};
     ///
     /// fn show<P: Port>(
     ///     device: &mut Device<P>,
     ///     command: &AnyField,
     /// ) -> Result<(), DeviceError<P::Error>> {
-    ///     let set = command.info().set;
+    ///     let Some(set) = command.info().set() else { return Err(RequestError::NoCommand.into()) };
     ///     let ticket = device.send_all(set, |request| request.add_any(command))?;
     ///     let Some(event) = device.event(&ticket) else {
     ///         println!("sent; the device does not answer it");
     ///         return Ok(());
     ///     };
     ///     println!("{:?}", event.outcome);
-    ///     if let Some(Ok((response, _))) = event.response().and_then(|f| AnyField::decode(&f)) {
-    ///         println!("{response:?}");
+    ///     if let Some(Ok(response)) = event.response().and_then(|f| AnyField::decode(&f)) {
+    ///         println!("{}: {:?}", response.name(), response.field);
     ///     }
     ///     Ok(())
     /// }

@@ -44,11 +44,11 @@ pub struct Profile {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Supported {
-    /// The descriptor set.
+    /// The descriptor set; 0xFF if it may be any data set.
     pub set: u8,
     /// The field descriptor.
     pub descriptor: u8,
-    /// The name in the specification.
+    /// The name in that set, `set.field`.
     pub name: &'static str,
     /// The function selectors that the device accepts; empty if the field has none.
     pub functions: &'static [FunctionSelector],
@@ -128,7 +128,7 @@ impl Profile {
 
     /// The entry of a field, if the device supports it in packets of this set.
     ///
-    /// Shared fields belong to every data set.
+    /// Shared fields occur in every data set.
     #[must_use]
     pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         self.may_support(set, descriptor).filter(|field| field.evidence.is_none())
@@ -141,11 +141,11 @@ impl Profile {
         self.fields.iter().find(|f| f.descriptor == descriptor && matches(f))
     }
 
-    /// Does it support this field?
+    /// Does it support this field, in one of the sets in which it occurs? [`Profile::supports`] asks
+    /// for one set.
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
-        let mut certain = self.fields.iter().filter(|f| f.evidence.is_none());
-        certain.any(|f| T::in_set(f.set) && f.descriptor == T::DESCRIPTOR)
+        T::SETS.iter().any(|set| self.supports(*set, T::DESCRIPTOR).is_some())
     }
 
     /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.

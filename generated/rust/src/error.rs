@@ -22,7 +22,7 @@ pub(crate) use std::error::Error;
 pub struct DecodeError {
     /// What is wrong.
     pub kind: DecodeErrorKind,
-    /// The name of the field in the specification, `set.field`.
+    /// The name of the field in the specification, `family.field`.
     pub field: &'static str,
     /// What is needed; see the kind.
     pub need: usize,
@@ -51,7 +51,7 @@ pub enum DecodeErrorKind {
 pub struct EncodeError {
     /// What is wrong.
     pub kind: EncodeErrorKind,
-    /// The name of the field in the specification, `set.field`; empty if only its bytes are known.
+    /// The name of the field in the specification, `family.field`; empty if only its bytes are known.
     pub field: &'static str,
     /// What is needed; see the kind.
     pub need: usize,
@@ -75,7 +75,8 @@ pub enum EncodeErrorKind {
     /// It does not fit into a field, a packet or the caller's buffer: the number of bytes needed,
     /// at least, and of those free.
     Length,
-    /// The field does not belong to the descriptor set of the packet: its set, and that of the packet.
+    /// The field does not occur in the descriptor set of the packet: a set in which it does, and that
+    /// of the packet.
     Set,
 }
 
@@ -114,7 +115,7 @@ impl EncodeError {
         Self::new(EncodeErrorKind::Length, field, need, got)
     }
 
-    /// A field of one set, and a packet of another.
+    /// A field that occurs in one set, and a packet of another.
     #[must_use]
     pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
         Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)
@@ -138,7 +139,7 @@ impl fmt::Display for EncodeErrorKind {
             Self::Count => "there are more elements than can be counted",
             Self::Tag => "a union does not contain the member that its tag names",
             Self::Length => "the bytes do not fit",
-            Self::Set => "the field does not belong to the descriptor set of the packet",
+            Self::Set => "the field does not occur in the descriptor set of the packet",
         })
     }
 }
@@ -167,13 +168,8 @@ impl fmt::Display for EncodeError {
             EncodeErrorKind::Tag => write!(f, "{kind}"),
             EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),
             EncodeErrorKind::Set => match (need, got) {
-                (0xFF, _) if !field.is_empty() => write!(
-                    f,
-                    "it belongs in packets of data sets, not in one of set {got:#04x}; begin the \
-                     packet with PacketBuilder::new and push it"
-                ),
                 (_, 0 | 0xFF) => write!(f, "no packet has set {got:#04x}"),
-                _ => write!(f, "set {need:#04x} in a packet of set {got:#04x}"),
+                _ => write!(f, "it occurs in set {need:#04x}, and not in set {got:#04x}"),
             },
         }
     }

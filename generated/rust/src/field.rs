@@ -5,25 +5,25 @@ use crate::error::{DecodeError, EncodeError};
 use core::fmt;
 use core::ops::RangeInclusive;
 
-/// The type of one field: one descriptor of one descriptor set.
+/// The type of one layout of one field descriptor, in whichever descriptor sets it occurs.
+///
+/// The set of a received field is that of its packet: [`Packet::set`](crate::Packet::set),
+/// [`RawField::set`].
 pub trait Field: Wire {
-    /// The descriptor set that defines it.
-    const SET: u8;
+    /// The descriptor sets in which it occurs, in ascending order.
+    const SETS: &'static [u8];
     /// The field descriptor.
     const DESCRIPTOR: u8;
-    /// The name in the specification, `set.field`.
+    /// The name in the specification, `family.field`. A family with one set has its name.
     const NAME: &'static str;
     /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
     /// The possible numbers of bytes of its data; they distinguish layouts with the same constants.
     const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
 
-    /// May packets of this set contain the field?
-    #[inline]
+    /// Does it occur in this descriptor set?
     #[must_use]
-    fn in_set(set: u8) -> bool {
-        set == Self::SET
-    }
+    fn occurs_in(set: u8) -> bool;
 
     /// Decodes the data of a field, the bytes after its descriptor.
     #[inline]
@@ -58,8 +58,14 @@ pub trait Field: Wire {
     }
 }
 
+/// A field that occurs in one descriptor set only: its type says which packet it needs.
+pub trait OneSet: Field {
+    /// The descriptor set.
+    const SET: u8;
+}
+
 /// A field that a device acknowledges, perhaps with a response after the acknowledge.
-pub trait Command: Field {
+pub trait Command: OneSet {
     /// Its response: `()`, a field type, or an enumeration of several.
     type Response: Response;
     /// How long a device may take to answer, if longer than usual.
@@ -186,7 +192,7 @@ impl RawField<'_> {
     #[inline]
     #[must_use]
     pub fn is<T: Field>(&self) -> bool {
-        T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
+        T::occurs_in(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
     }
 
     /// Can the data have the layout of this type, as far as it reaches? The constants and the size
@@ -210,4 +216,15 @@ impl RawField<'_> {
     pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.is::<T>().then(|| T::decode(self.data))
     }
+}
+
+/// The numbers from the first one on.
+#[allow(clippy::indexing_slicing)] // when the crate is compiled
+pub(crate) const fn run<const N: usize>(first: u8) -> [u8; N] {
+    let (mut numbers, mut at, mut number) = ([0; N], 0, first);
+    while at < N {
+        numbers[at] = number;
+        (at, number) = (at.wrapping_add(1), number.wrapping_add(1));
+    }
+    numbers
 }

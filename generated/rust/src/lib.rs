@@ -60,13 +60,13 @@ pub use bits::Bits;
 pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
 pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
-pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
+pub use field::{Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 #[cfg(feature = "alloc")]
 pub use owned::PacketBuf;
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::{Feed, Parser};
-pub use registry::AnyField;
+pub use registry::{AnyField, Decoded};
 pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::codec::Writer;
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
-use crate::field::{Field, RawField};
+use crate::field::{Field, OneSet, RawField};
 use crate::protocol::SYNC;
 
 /// The maximum size of a payload.
@@ -82,7 +82,8 @@ fn words(bytes: &[u8]) -> Option<[u8; 2]> {
 pub enum PacketError {
     /// The bytes do not start with the two sync bytes.
     Sync,
-    /// The number of bytes differs from the length in the packet, or the descriptor set is 0.
+    /// The number of bytes differs from the length in the packet, or the descriptor set is 0 or
+    /// 0xFF, which no packet has.
     Length,
     /// The checksum is wrong.
     Checksum,
@@ -125,7 +126,7 @@ impl<'a> Packet<'a> {
         if !bytes.starts_with(&SYNC) {
             return Err(PacketError::Sync);
         }
-        let [_, _, 1..=255, length, ..] = *bytes else {
+        let [_, _, 1..=254, length, ..] = *bytes else {
             return Err(PacketError::Length);
         };
         let end = HEADER.saturating_add(usize::from(length));
@@ -172,6 +173,9 @@ impl<'a> Packet<'a> {
 
     /// The first field of this type, decoded; `None` if the packet has none.
     ///
+    /// A type that occurs in several descriptor sets is found in packets of each of them;
+    /// [`Packet::set`] tells which one it is.
+    ///
     /// A field of this type that runs past the payload is an error
     /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be decoded.
     #[must_use]
@@ -183,7 +187,7 @@ impl<'a> Packet<'a> {
             }
         }
         let (field, need) = fields.cut()?;
-        let is_it = T::in_set(field.set)
+        let is_it = T::occurs_in(field.set)
             && field.descriptor == T::DESCRIPTOR
             && T::SIZES.contains(&need)
             && field.has_constants(T::CONSTANTS);
@@ -281,9 +285,8 @@ pub struct PacketBuilder {
 impl PacketBuilder {
     /// A packet of this descriptor set, without fields.
     ///
-    /// No device sends or accepts a packet of set 0, which is none for [`Packet::new`] either, nor of
-    /// 0xFF, which defines fields of all data sets: a builder with such a set accepts no field, and
-    /// its packet is not to be sent.
+    /// No packet has set 0 or 0xFF, for [`Packet::new`] neither: a builder with such a set accepts no
+    /// field, and its packet is not to be sent.
     #[must_use]
     pub const fn new(set: u8) -> Self {
         let [first, second] = SYNC;
@@ -307,11 +310,11 @@ impl PacketBuilder {
         self.seal();
     }
 
-    /// A packet with only this field, of the set that defines it.
+    /// A packet with only this field, which occurs in one set.
     ///
-    /// A field of all data sets ([`Field::SET`] is 0xFF) does not say which one is meant: begin its
-    /// packet with [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
-    pub fn with<T: Field>(field: &T) -> Result<Self, EncodeError> {
+    /// A field of several sets does not tell which one is meant: begin its packet with
+    /// [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
+    pub fn with<T: OneSet>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
         Ok(builder)
@@ -324,12 +327,13 @@ impl PacketBuilder {
         set
     }
 
-    /// Appends a field.
+    /// Appends a field, which must occur in the set of the packet.
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
-        if !T::in_set(self.set()) {
-            return Err(EncodeError::set(T::NAME, T::SET, self.set()));
+        let set = T::SETS.first().copied().unwrap_or_default();
+        if !T::occurs_in(self.set()) {
+            return Err(EncodeError::set(T::NAME, set, self.set()));
         }
-        let length = field.encode(self.free(T::NAME, T::SET)?)?;
+        let length = field.encode(self.free(T::NAME, set)?)?;
         self.close(T::DESCRIPTOR, length);
         Ok(())
     }

@@ -49,7 +49,7 @@ pub(crate) enum Candidate {
 pub(crate) fn judge(bytes: &[u8]) -> Candidate {
     let [first, _] = SYNC;
     match *bytes {
-        [a, b, set, length, ..] if [a, b] == SYNC && set > 0 => {
+        [a, b, 1..=254, length, ..] if [a, b] == SYNC => {
             let size = usize::from(length).saturating_add(OVERHEAD);
             let end = size.saturating_sub(2);
             match (bytes.get(..end), bytes.get(end..size).map(<[u8; 2]>::try_from)) {
@@ -61,7 +61,7 @@ pub(crate) fn judge(bytes: &[u8]) -> Candidate {
         [] => Candidate::Open(HEADER),
         [a] if a == first => Candidate::Open(HEADER),
         [a, b] if [a, b] == SYNC => Candidate::Open(HEADER),
-        [a, b, set] if [a, b] == SYNC && set > 0 => Candidate::Open(HEADER),
+        [a, b, 1..=254] if [a, b] == SYNC => Candidate::Open(HEADER),
         _ => Candidate::Bad,
     }
 }

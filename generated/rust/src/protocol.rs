@@ -26,6 +26,6 @@ record! {
 }
 
 field! {
-    Acknowledge: 0x00, 0xF1, "protocol.acknowledge";
+    Acknowledge: 0xF1, "protocol.acknowledge";
     in [0x01..=0x7F];
 }

@@ -21,26 +21,70 @@ pub use fields::{visit, AnyField, FIELDS};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct FieldInfo {
-    /// The descriptor set that defines it.
-    pub set: u8,
+    /// The descriptor sets in which it occurs, in ascending order.
+    pub sets: &'static [u8],
     /// The field descriptor.
     pub descriptor: u8,
     /// Its role.
     pub role: Role,
-    /// The name in the specification, `set.field`.
+    /// The name in the specification, `family.field`; see [`FieldInfo::name_in`].
     pub name: &'static str,
-    /// Its title.
+    /// Its title; see [`FieldInfo::title_in`].
     pub title: &'static str,
     /// Names of the responses of a command, or of the commands that a response answers.
     pub linked: &'static [&'static str],
-    sets: (u8, u8),
+    /// What it is called in the sets of a family of several.
+    occurrences: &'static [Occurrence],
+}
+
+/// A field in one of the descriptor sets of its family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Occurrence {
+    set: u8,
+    name: &'static str,
+    title: &'static str,
 }
 
 impl FieldInfo {
-    /// The field of this name, `set.field`.
+    /// The field of this name, or of this name in one of its sets: `set.field`.
     #[must_use]
     pub fn by_name(name: &str) -> Option<&'static Self> {
-        FIELDS.iter().find(|info| info.name == name)
+        let called = |info: &&Self| {
+            info.name == name || info.occurrences.iter().any(|found| found.name == name)
+        };
+        FIELDS.iter().find(called)
+    }
+
+    /// Its descriptor set, if there is only one.
+    #[must_use]
+    pub const fn set(&self) -> Option<u8> {
+        match *self.sets {
+            [set] => Some(set),
+            _ => None,
+        }
+    }
+
+    /// Does it occur in this descriptor set?
+    #[must_use]
+    pub fn occurs_in(&self, set: u8) -> bool {
+        self.sets.contains(&set)
+    }
+
+    /// Its name in a set, `set.field`, if it occurs there. What occurs in every set of its kind has
+    /// the same name everywhere.
+    #[must_use]
+    pub fn name_in(&self, set: u8) -> Option<&'static str> {
+        self.occurs_in(set).then(|| self.occurrence(set).map_or(self.name, |found| found.name))
+    }
+
+    /// Its title in a set, if it occurs there.
+    #[must_use]
+    pub fn title_in(&self, set: u8) -> Option<&'static str> {
+        self.occurs_in(set).then(|| self.occurrence(set).map_or(self.title, |found| found.title))
+    }
+
+    fn occurrence(&self, set: u8) -> Option<&'static Occurrence> {
+        self.occurrences.iter().find(|found| found.set == set)
     }
 
     /// The field that has these bytes; if there are several layouts, that of the data.
@@ -57,12 +101,6 @@ impl FieldInfo {
     pub fn parameters(&self) -> &'static [ParameterInfo] {
         let mut all = FIELDS.iter().zip(fields::PARAMETERS);
         all.find(|(info, _)| info.name == self.name).map_or(&[], |(_, found)| *found)
-    }
-
-    /// May packets of this set contain the field?
-    #[must_use]
-    pub const fn in_set(&self, set: u8) -> bool {
-        self.sets.0 <= set && set <= self.sets.1
     }
 }
 
@@ -124,7 +162,7 @@ pub trait Listed:
 ///
 ///     fn visit<T: Listed>(self, field: &RawField<'_>) {
 ///         match T::decode(field.data) {
-///             Ok(value) => println!("{}: {value:?}", T::INFO.title),
+///             Ok(value) => println!("{:?}: {value:?}", T::INFO.title_in(field.set)),
 ///             Err(error) => println!("{error}"),
 ///         }
 ///     }
@@ -143,18 +181,49 @@ pub trait Visitor {
     /// The result.
     type Output;
 
-    /// Processes a field of type `T`, not yet decoded.
+    /// Processes a field of type `T`, not yet decoded; `field.set` is the descriptor set of its packet.
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output;
 
     /// Processes a field that the registry does not list.
     fn unknown(self, field: &RawField<'_>) -> Self::Output;
 }
 
+/// A field of any type that was decoded, and the descriptor set of its packet: one type may occur in
+/// several, each of which is another sensor or receiver.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct Decoded {
+    /// The descriptor set of the packet.
+    pub set: u8,
+    /// The field.
+    pub field: AnyField,
+    /// The number of bytes left over, as newer firmware may append some.
+    pub left_over: usize,
+}
+
+impl Decoded {
+    /// The name of the field in its set, `set.field`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        let info = self.field.info();
+        info.name_in(self.set).unwrap_or(info.name)
+    }
+
+    /// The title of the field in its set.
+    #[must_use]
+    pub fn title(&self) -> &'static str {
+        let info = self.field.info();
+        info.title_in(self.set).unwrap_or(info.title)
+    }
+}
+
 impl AnyField {
-    /// Decodes a field and returns the number of bytes left over; `None` if it is unknown.
+    /// Decodes a field; `None` if it is unknown.
     #[inline]
     #[must_use]
-    pub fn decode(field: &RawField<'_>) -> Option<Result<(Self, usize), DecodeError>> {
+    pub fn decode(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
         visit(field, Decode)
     }
 }
@@ -163,11 +232,11 @@ struct Decode;
 
 impl Visitor for Decode {
     // The whole answer, so that each type writes its value right where the caller wants it.
-    type Output = Option<Result<(AnyField, usize), DecodeError>>;
+    type Output = Option<Result<Decoded, DecodeError>>;
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
-        decode::<T>(field.data)
+        decode::<T>(field)
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
@@ -176,10 +245,14 @@ impl Visitor for Decode {
 }
 
 #[inline(always)]
-fn decode<T: Listed>(data: &[u8]) -> Option<Result<(AnyField, usize), DecodeError>> {
-    let mut reader = Reader::new(data);
+fn decode<T: Listed>(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+    let mut reader = Reader::new(field.data);
     match T::decode_from(&mut reader) {
-        Ok(value) => Some(Ok((value.into_any(), reader.remaining()))),
+        Ok(value) => Some(Ok(Decoded {
+            set: field.set,
+            field: value.into_any(),
+            left_over: reader.remaining(),
+        })),
         Err(_) => Some(Err(wrong(reader, T::NAME))),
     }
 }

@@ -1,4 +1,4 @@
-//! One module for each descriptor set.
+//! One module for each family of descriptor sets.
 
 #[cfg(feature = "aiding")]
 pub mod aiding;
@@ -10,18 +10,8 @@ pub mod filter;
 pub mod filter_data;
 #[cfg(feature = "gnss")]
 pub mod gnss;
-#[cfg(feature = "gnss_1")]
-pub mod gnss_1;
-#[cfg(feature = "gnss_2")]
-pub mod gnss_2;
-#[cfg(feature = "gnss_corrections")]
-pub mod gnss_corrections;
 #[cfg(feature = "gnss_data")]
 pub mod gnss_data;
-#[cfg(feature = "gnss_external")]
-pub mod gnss_external;
-#[cfg(feature = "gnss_external_2")]
-pub mod gnss_external_2;
 #[cfg(feature = "mip_3dm")]
 pub mod mip_3dm;
 #[cfg(feature = "rtk")]

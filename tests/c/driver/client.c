@@ -143,13 +143,12 @@ static const char *send(struct session *s, const struct json *step) {
 
 /* ------------------------------------------------------------------------------------- receiving */
 
-static const char *name_of(const struct mip_codec *codec) {
-    for (size_t i = 0; i < mip_registry_size; i++) {
-        if (mip_registry[i].codec == codec) {
-            return mip_registry[i].name;
-        }
+static const struct mip_entry *entry_of(const struct mip_codec *codec) {
+    const struct mip_entry *entry = mip_registry;
+    while (entry->codec != codec) {
+        entry++;
     }
-    return "";
+    return entry;
 }
 
 /* Decodes a response that nobody has named a place for. */
@@ -176,9 +175,8 @@ static void put_response(struct session *s, const struct command *c, const struc
         put(s->out, "\"}");
         return;
     }
-    put(s->out, ",\"name\":\"");
-    put(s->out, name_of(codec));
-    put(s->out, "\",\"role\":\"response\",\"values\":");
+    put_name(s->out, entry_of(codec), field->descriptor_set);
+    put(s->out, ",\"role\":\"response\",\"values\":");
     put_values(s->out, codec, (const uint8_t *)c->request.response);
     mip_decode(codec, arena_take(s->arena, codec->size), field, &trailing);
     number(s, "trailing", trailing);

@@ -263,6 +263,14 @@ void put_values(struct output *out, const struct mip_codec *codec, const uint8_t
     put_record(out, r->record, value, r->optional ? value[r->present_offset] : 0);
 }
 
+void put_name(struct output *out, const struct mip_entry *entry, uint8_t set) {
+    put(out, ",\"name\":\"");
+    put(out, mip_registry_set_name(entry, set));
+    put_char(out, '.');
+    put(out, entry->name);
+    put_char(out, '"');
+}
+
 void put_field(struct output *out, struct arena *arena, const struct mip_field *field) {
     static const char *const roles[] = {"command", "response", "data"};
     const struct mip_entry *entry = mip_registry_find(field);
@@ -274,9 +282,8 @@ void put_field(struct output *out, struct arena *arena, const struct mip_field *
         uint8_t *value = (uint8_t *)arena_take(arena, entry->codec->size);
         error = mip_decode(entry->codec, value, field, &trailing);
         if (error == MIP_OK) {
-            put(out, ",\"name\":\"");
-            put(out, entry->name);
-            put(out, "\",\"role\":\"");
+            put_name(out, entry, field->descriptor_set);
+            put(out, ",\"role\":\"");
             put(out, roles[entry->role]);
             put(out, "\",\"values\":");
             put_values(out, entry->codec, value);
@@ -528,6 +535,21 @@ static const char *get_field(const struct json *values, const struct mip_reflect
     return NULL;
 }
 
+/* A string as C has it. False if it is too long, or not ASCII. */
+static bool as_text(const struct json *j, char *text, size_t room) {
+    if (j->size >= room) {
+        return false;
+    }
+    for (size_t i = 0; i < j->size; i++) {
+        if (j->text[i] == 0 || j->text[i] > 0x7F) {
+            return false;
+        }
+        text[i] = (char)j->text[i];
+    }
+    text[j->size] = '\0';
+    return true;
+}
+
 const char *get_named(struct arena *arena, const struct json *field, uint8_t set, const struct mip_entry **entry, uint8_t **record) {
     const struct json *descriptor = json_get(field, "descriptor");
     const struct json *name = json_get(field, "name");
@@ -539,15 +561,11 @@ const char *get_named(struct arena *arena, const struct json *field, uint8_t set
     if (name == NULL || name->kind != JSON_STRING || values == NULL || values->kind != JSON_OBJECT) {
         return REQUEST;
     }
-    *entry = NULL;
-    for (size_t i = 0; i < mip_registry_size; i++) {
-        const struct mip_entry *e = &mip_registry[i];
-        const bool fits = e->descriptor_set == set || e->descriptor_set == (set < 0x80 ? 0 : 0xFF);
-        if (fits && json_equals(name, e->name) && (descriptor == NULL || e->descriptor == number)) {
-            *entry = e;
-        }
-    }
-    if (*entry == NULL) {
+    /* Of no other set, even if it is the same type. */
+    char text[64];
+    uint8_t of = 0;
+    *entry = as_text(name, text, sizeof(text)) ? mip_registry_by_name(text, &of) : NULL;
+    if (*entry == NULL || !mip_set_has(set, of) || (descriptor != NULL && (*entry)->descriptor != number)) {
         return "unknown";
     }
     *record = (uint8_t *)arena_take(arena, (*entry)->codec->size);

@@ -22,6 +22,9 @@ const char *get_named(struct arena *arena, const struct json *field, uint8_t set
 /* The values of a structure. */
 void put_values(struct output *out, const struct mip_codec *codec, const uint8_t *value);
 
+/* `,"name":"gnss_2.dop"`: a type by its name in a set. */
+void put_name(struct output *out, const struct mip_entry *entry, uint8_t set);
+
 /* A field of a packet, decoded. */
 void put_field(struct output *out, struct arena *arena, const struct mip_field *field);
 

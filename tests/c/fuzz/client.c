@@ -28,6 +28,7 @@ enum { SLOTS = 4,
 struct slot {
     struct mip_request request;
     const struct mip_entry *entry; /* NULL until it is used */
+    uint8_t set;
     void *response;
     size_t response_size;
     bool waiting;
@@ -70,8 +71,7 @@ static void check_list(void) {
 /* ------------------------------------------------------------------------------------------ sending */
 
 static const struct mip_entry *command_of(uint8_t set, uint8_t descriptor) {
-    size_t count;
-    const struct mip_entry *entry = mip_registry_candidates(set, descriptor, &count);
+    const struct mip_entry *entry = mip_registry_next(set, descriptor, NULL);
     return entry != NULL && entry->role == MIP_COMMAND ? entry : NULL;
 }
 
@@ -119,6 +119,7 @@ static void send(struct input *in) {
         void *old = s->response; /* of a request that may still wait */
         s->response = NULL;
         s->entry = entry;
+        s->set = set;
         s->age = ++age;
         const mip_error error = add(s, &b, command, choice);
         free(old);
@@ -141,7 +142,7 @@ static bool check_answer(struct slot *s, const struct mip_field *acknowledge, co
     const bool responds = r->codec != NULL &&
                           (r->state == MIP_REQUEST_ACKNOWLEDGED || r->state == MIP_REQUEST_UNDECODABLE);
     CHECK(s->waiting && acknowledge->descriptor == 0xF1 && acknowledge->size >= 2);
-    CHECK(acknowledge->descriptor_set == command->descriptor_set && acknowledge->data[0] == command->descriptor);
+    CHECK(acknowledge->descriptor_set == s->set && acknowledge->data[0] == command->descriptor);
     CHECK(r->code == acknowledge->data[1] && (r->code != 0) == (r->state == MIP_REQUEST_REFUSED));
     CHECK(r->state == MIP_REQUEST_ACKNOWLEDGED || r->state == MIP_REQUEST_REFUSED ||
           r->state == MIP_REQUEST_MISSING_RESPONSE || r->state == MIP_REQUEST_UNDECODABLE);
@@ -230,12 +231,12 @@ static void answer(struct input *in, size_t piece) {
     const uint8_t choice = input_byte(in);
     size_t size = input_byte(in) % 250;
     uint8_t *data = input_bytes(in, &size);
-    if (s->entry != NULL && s->entry->descriptor_set != 0) {
+    if (s->entry != NULL) {
         const struct mip_entry *response = mip_registry_link(s->entry, choice);
         const uint8_t acknowledge[2] = {s->entry->descriptor, code};
         uint8_t buffer[MIP_MAX_PACKET];
         struct mip_builder b;
-        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), s->entry->descriptor_set) == MIP_OK);
+        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), s->set) == MIP_OK);
         CHECK(mip_builder_add(&b, 0xF1, acknowledge, sizeof(acknowledge)) == MIP_OK);
         if (response != NULL) {
             (void)mip_builder_add(&b, response->descriptor, data, size);

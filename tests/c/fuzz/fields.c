@@ -106,15 +106,14 @@ static void one_layout(const struct mip_codec *codec, const struct mip_field *fi
 }
 
 static void all_layouts(const struct mip_field *field, size_t lack) {
-    size_t count = 0;
-    const struct mip_entry *entries = mip_registry_candidates(field->descriptor_set, field->descriptor, &count);
     const struct mip_entry *found = mip_registry_find(field);
-    CHECK((entries != NULL) == (count > 0));
+    const struct mip_entry *entry = NULL;
     bool among = false;
-    for (size_t i = 0; i < count; i++) {
-        const struct mip_codec *codec = entries[i].codec;
-        CHECK(codec->descriptor == field->descriptor && belongs(codec, field->descriptor_set));
-        among = among || found == &entries[i];
+    while ((entry = mip_registry_next(field->descriptor_set, field->descriptor, entry)) != NULL) {
+        const struct mip_codec *codec = entry->codec;
+        CHECK(codec->descriptor == field->descriptor && mip_codec_belongs(codec, field->descriptor_set));
+        CHECK(mip_field_is(field, codec) == mip_codec_matches(codec, field));
+        among = among || found == entry;
         one_layout(codec, field, lack);
     }
     CHECK(found == NULL || (among && mip_codec_matches(found->codec, field)));

@@ -20,7 +20,7 @@ struct plain {
 static int packet_at(const struct plain *p, size_t at) {
     const uint8_t *b = p->stream + at;
     const size_t left = p->end - at;
-    if (b[0] != 0x75 || (left > 1 && b[1] != 0x65) || (left > 2 && b[2] == 0)) {
+    if (b[0] != 0x75 || (left > 1 && b[1] != 0x65) || (left > 2 && (b[2] == 0 || b[2] == 0xFF))) {
         return 0;
     }
     if (left < 4 || left < b[3] + 6u) {

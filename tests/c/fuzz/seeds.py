@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from conformance import scenarios
-from mipgen import codec
 from mipgen import model as m
+from mipgen.lower import codec
 from support import all_fields, set_of
 
 KINDS = 7

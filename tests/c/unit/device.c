@@ -2,7 +2,6 @@
 #include "check.h"
 
 #include "mip/measurements.h"
-#include "mip/more.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 
@@ -145,7 +144,7 @@ static void see(void *user, const struct mip_field *field, uint32_t arrived) {
     s->arrived[s->count++] = arrived;
 }
 
-static const struct mip_handler all[] = {{MIP_ANY_FIELD, see, &seen}};
+static const struct mip_handler all[] = {{MIP_ANY_FIELD, MIP_ANY_SET, see, &seen}};
 
 static void forget(void) {
     seen.count = rest.count = 0;
@@ -348,7 +347,7 @@ static void call_again(void *user, const struct mip_field *field, uint32_t arriv
 }
 
 static void busy(void) {
-    const struct mip_handler again = {MIP_MEASUREMENTS_ACCEL, call_again, &device};
+    const struct mip_handler again = {&mip_measurements_accel_codec, MIP_ANY_SET, call_again, &device};
     fresh(&again, 1);
     COMES(0, 0x80, ACCEL);
     COMES(0, 0x01, PONG);
@@ -358,7 +357,7 @@ static void busy(void) {
 
     /* It may call another device. */
     struct mip_device second;
-    const struct mip_handler call_other = {MIP_MEASUREMENTS_ACCEL, call_again, &second};
+    const struct mip_handler call_other = {&mip_measurements_accel_codec, MIP_ANY_SET, call_again, &second};
     fresh(&call_other, 1);
     fresh_line(&other, 77);
     mip_device_init(&second, &other_port, NULL, 0);
@@ -383,11 +382,11 @@ static void outcome_names(void) {
 
 static void handlers(void) {
     static const struct mip_handler table[] = {
-        {MIP_MORE_ACCEL, NULL, NULL}, /* ignored */
-        {MIP_SHARED_TIMESTAMP, see, &seen},
-        {MIP_MEASUREMENTS_ACCEL, see, &seen},
-        {MIP_MEASUREMENTS_ACCEL, see, &rest}, /* too late */
-        {MIP_ANY_FIELD, see, &rest},
+        {&mip_measurements_accel_codec, MIP_MORE_SET, NULL, NULL}, /* ignored */
+        {&mip_shared_timestamp_codec, MIP_ANY_SET, see, &seen},
+        {&mip_measurements_accel_codec, MIP_ANY_SET, see, &seen},
+        {&mip_measurements_accel_codec, MIP_ANY_SET, see, &rest}, /* too late */
+        {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
     };
     fresh(table, 5);
     forget();
@@ -396,7 +395,8 @@ static void handlers(void) {
     COMES(30, 0x01, "\x04\xF1\x09\0" PONG); /* one that nobody has asked for, and the answer */
     COMES(30, 0x80, ACCEL);
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == 6);
-    const uint16_t wanted[] = {MIP_SHARED_TIMESTAMP, MIP_MEASUREMENTS_ACCEL, MIP_SHARED_TIMESTAMP, MIP_MEASUREMENTS_ACCEL};
+    const uint16_t accel = MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET);
+    const uint16_t wanted[] = {MIP_SHARED_TIMESTAMP, accel, MIP_SHARED_TIMESTAMP, accel};
     const uint8_t sets[] = {0x80, 0x80, 0x81, 0x80};
     const uint32_t times[] = {5010, 5010, 5020, 5030};
     CHECK(seen.count == 4 && rest.count == 2);
@@ -406,8 +406,49 @@ static void handlers(void) {
     }
     CHECK(mip_field_key(&rest.fields[0]) == 0x8055 && mip_field_key(&rest.fields[1]) == MIP_PROTOCOL_ACKNOWLEDGE);
 
+    /* A type in each of its sets, but another handler in one of them; all fields of a set, and of no other. A field that
+     * has the descriptor of the type in a set where the type does not occur is another one. */
+    static struct seen second;
+    static const struct mip_handler several[] = {
+        {&mip_measurements_accel_codec, MIP_COPY_SET, see, &second},
+        {&mip_measurements_accel_codec, MIP_ANY_SET, see, &seen},
+        {&mip_measurements_radio_codec, MIP_ANY_SET, see, &seen},
+        {&mip_shared_timestamp_codec, MIP_MORE_SET, see, &second},
+        {MIP_ANY_FIELD, MIP_MEASUREMENTS_SET, see, &rest},
+    };
+    fresh(several, 5);
+    forget();
+    COMES(0, 0x80, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
+    COMES(0, 0x81, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
+    COMES(0, 0x92, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
+    COMES(0, 0x93, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
+    while (line.next < line.count) {
+        CHECK(mip_device_poll(&device));
+    }
+    const uint16_t any_set[] = {0x8001, 0x8007, 0x8101, 0x9207};
+    const uint16_t one_set[] = {MIP_SHARED_TIMESTAMP, 0x9201};
+    const uint16_t left[] = {MIP_SHARED_TIMESTAMP, 0x8055};
+    CHECK(seen.count == 4 && second.count == 2 && rest.count == 2);
+    for (int i = 0; i < 4; i++) {
+        CHECK(mip_field_key(&seen.fields[i]) == any_set[i]);
+        CHECK(mip_field_key(&second.fields[i % 2]) == one_set[i % 2]);
+        CHECK(mip_field_key(&rest.fields[i % 2]) == left[i % 2]);
+    }
+    CHECK(second.fields[0].descriptor_set == MIP_MORE_SET);
+
+    /* Layouts of one descriptor are types of their own. */
+    static const struct mip_handler layouts[] = {
+        {&mip_tools_status_old_codec, MIP_ANY_SET, see, &seen},
+        {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
+    };
+    fresh(layouts, 2);
+    forget();
+    COMES(0, 0x01, "\x11\x90\x12\x67\x02\0\0\0\0\0\0\0\0\0\0\0\x05\x09\x90\x12\x67\x01\0\0\0\x05");
+    CHECK(mip_device_poll(&device) && seen.count + rest.count == 2);
+    CHECK(rest.count > 0 && rest.fields[rest.count - 1].size == 7);
+
     /* One for the acknowledges of all sets; without an entry for the rest, it is dropped. */
-    static const struct mip_handler few[] = {{MIP_PROTOCOL_ACKNOWLEDGE, see, &seen}};
+    static const struct mip_handler few[] = {{&mip_protocol_acknowledge_codec, MIP_ANY_SET, see, &seen}};
     fresh(few, 1);
     forget();
     COMES(0, 0x01, "\x04\xF1\x09\0");
@@ -434,7 +475,7 @@ static void see_time(void *user, const struct mip_field *field, uint32_t arrived
 
 static void packets(void) {
     static unsigned stamped;
-    const struct mip_handler accel = {MIP_MEASUREMENTS_ACCEL, see_time, &stamped};
+    const struct mip_handler accel = {&mip_measurements_accel_codec, MIP_ANY_SET, see_time, &stamped};
     owner = &device;
     fresh(&accel, 1);
     COMES(0, 0x80, ACCEL);
@@ -522,7 +563,7 @@ static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) 
 
 /* A host that is slow does not take what waits to be read for an answer that has not come. */
 static void backlog(void) {
-    static const struct mip_handler slow[] = {{MIP_MEASUREMENTS_ACCEL, dawdle, &line}};
+    static const struct mip_handler slow[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, dawdle, &line}};
     fresh(slow, 1);
     for (int i = 0; i < 14; i++) { /* more than one read takes */
         COMES(0, 0x80, ACCEL "\x14\x66                  ");

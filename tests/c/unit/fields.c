@@ -3,7 +3,6 @@
 
 #include "mip/3d.h"
 #include "mip/measurements.h"
-#include "mip/more.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 
@@ -130,35 +129,70 @@ static void refused(void) {
 
 static void sets(void) {
     /* Data goes into data packets only, and commands into those of their own set. */
-    struct mip_more_own own = {MIP_MODE_FAST};
+    struct mip_measurements_own own = {MIP_MODE_FAST};
     struct mip_protocol_acknowledge ack = {1, MIP_ACK_CODE_OK};
-    CHECK(mip_more_own_encode(&own, fresh(MIP_TOOLS_SET)) == MIP_ERROR_SET);
+    CHECK(mip_measurements_own_encode(&own, fresh(MIP_TOOLS_SET)) == MIP_ERROR_SET);
     CHECK(packet.length == MIP_HEADER_SIZE && mip_builder_finish(&packet).size == 6);
-    CHECK(mip_more_own_encode(&own, fresh(0x7F)) == MIP_ERROR_SET);
-    CHECK(mip_more_own_encode(&own, fresh(MIP_MORE_SET)) == MIP_OK);
-    CHECK(mip_more_own_encode(&own, fresh(MIP_MEASUREMENTS_SET)) == MIP_ERROR_SET);
+    CHECK(mip_measurements_own_encode(&own, fresh(0x7F)) == MIP_ERROR_SET);
+    CHECK(mip_measurements_own_encode(&own, fresh(MIP_MORE_SET)) == MIP_OK);
+    CHECK(mip_measurements_own_encode(&own, fresh(MIP_MEASUREMENTS_SET)) == MIP_ERROR_SET);
+    CHECK(mip_measurements_own_encode(&own, fresh(MIP_COPY_SET)) == MIP_ERROR_SET);
     CHECK(mip_tools_ping_encode(NULL, fresh(MIP_MEASUREMENTS_SET)) == MIP_ERROR_SET);
     CHECK(mip_tools_ping_encode(NULL, fresh(MIP_TOOLS_SET + 1)) == MIP_ERROR_SET);
     CHECK(mip_protocol_acknowledge_encode(&ack, fresh(0x7F)) == MIP_OK);
     CHECK(mip_protocol_acknowledge_encode(&ack, fresh(0x80)) == MIP_ERROR_SET);
 }
 
+/* A field that occurs in several sets is one type, which no other set has. */
+static void several_sets(void) {
+    static const char data[] = "3f800000400000004040000000ff";
+    struct mip_measurements_accel accel;
+    for (unsigned set = 1; set < 0xFF; set++) {
+        const bool right = set == MIP_MEASUREMENTS_SET || set == MIP_MORE_SET || set == MIP_COPY_SET;
+        const mip_error error = right ? MIP_OK : MIP_ERROR_SET;
+        const struct mip_field field = field_of((uint8_t)set, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, data);
+        CHECK(mip_measurements_accel_decode(&accel, &field) == error && accel.valid_flags == (right ? 255 : 0));
+        memset(&accel, 0xAA, sizeof(accel));
+        CHECK(mip_measurements_accel_decode_inline(&accel, &field) == error && accel.valid_flags == (right ? 255 : 0));
+        CHECK(mip_measurements_accel_encode(&accel, fresh((uint8_t)set)) == error);
+        CHECK(!right || strcmp(only_field(&packet), data) == 0);
+        CHECK(mip_measurements_accel_encode_inline(&accel, fresh((uint8_t)set)) == error);
+        CHECK(!right || strcmp(only_field(&packet), data) == 0);
+        CHECK(mip_field_is(&field, &mip_measurements_accel_codec) == right);
+        CHECK(!mip_field_is(&field, &mip_measurements_strings_codec));
+        switch (mip_field_key(&field)) { /* a type and a set is a constant */
+        case MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET):
+        case MIP_MEASUREMENTS_ACCEL(MIP_COPY_SET):
+            CHECK(set != MIP_MORE_SET && right);
+            break;
+        default:
+            CHECK(set == MIP_MORE_SET || !right);
+        }
+    }
+    /* One descriptor is another type in another set. */
+    const struct mip_field field = field_of(MIP_MORE_SET, 7, "01");
+    struct mip_measurements_own own;
+    struct mip_measurements_radio radio;
+    CHECK(MIP_MEASUREMENTS_OWN == MIP_KEY(MIP_MORE_SET, 7) && mip_field_key(&field) == MIP_MEASUREMENTS_OWN);
+    CHECK(mip_measurements_own_decode(&own, &field) == MIP_OK && own.mode == MIP_MODE_FAST);
+    CHECK(mip_measurements_radio_decode(&radio, &field) == MIP_ERROR_SET);
+    /* A packet that was not begun has no set. */
+    struct mip_builder none;
+    CHECK(mip_builder_start(&none, buffer, 5, MIP_COPY_SET) == MIP_ERROR_LENGTH && mip_builder_set(&none) == 0);
+    CHECK(mip_measurements_accel_encode(&accel, &none) == MIP_ERROR_LENGTH);
+    CHECK(mip_measurements_accel_encode_inline(&accel, &none) == MIP_ERROR_SET && none.length == 0);
+    CHECK(mip_builder_set(fresh(MIP_COPY_SET)) == MIP_COPY_SET);
+}
+
 /* A field is decoded only as what it is. */
 static void other_fields(void) {
     struct mip_measurements_accel accel;
-    struct mip_more_accel more;
-    struct mip_field field = field_of(MIP_MEASUREMENTS_SET, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, "3f800000400000004040000000ff");
+    struct mip_field field = field_of(MIP_MORE_SET, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR + 1, "3f800000400000004040000000ff");
     size_t trailing;
-    CHECK(mip_field_key(&field) == MIP_MEASUREMENTS_ACCEL && mip_measurements_accel_decode(&accel, &field) == MIP_OK);
-    CHECK(mip_measurements_accel_decode_inline(&accel, &field) == MIP_OK && accel.valid_flags == 255);
-    CHECK(mip_more_accel_decode(&more, &field) == MIP_ERROR_SET && more.valid_flags == 0);
-    CHECK(mip_more_accel_decode_inline(&more, &field) == MIP_ERROR_SET);
-    field.descriptor_set = MIP_MORE_SET;
-    CHECK(mip_field_key(&field) == MIP_MORE_ACCEL && mip_more_accel_decode(&more, &field) == MIP_OK);
-    CHECK(mip_measurements_accel_decode(&accel, &field) == MIP_ERROR_SET && accel.valid_flags == 0);
-    field.descriptor++;
-    CHECK(mip_decode(&mip_more_accel_codec, &more, &field, &trailing) == MIP_ERROR_DESCRIPTOR && more.valid_flags == 0);
-    CHECK(trailing == 14 && mip_more_accel_decode_inline(&more, &field) == MIP_ERROR_DESCRIPTOR);
+    memset(&accel, 0xAA, sizeof(accel));
+    CHECK(mip_decode(&mip_measurements_accel_codec, &accel, &field, &trailing) == MIP_ERROR_DESCRIPTOR);
+    CHECK(trailing == 14 && accel.valid_flags == 0);
+    CHECK(mip_measurements_accel_decode_inline(&accel, &field) == MIP_ERROR_DESCRIPTOR);
     /* Shared fields are in every data set, the acknowledge is in every command set. */
     struct mip_shared_timestamp time;
     struct mip_protocol_acknowledge ack;
@@ -211,9 +245,9 @@ static void strings(void) {
     memcpy(s.rest, "xyz", 3);
     CHECK(ENCODES(measurements_strings, &s, "6c6f6e676572207468616e2073697874026162"
                                             "78797a"));
-    struct mip_more_strings t; /* a set that repeats the field has a structure of its own */
-    struct mip_field field = field_of(0x81, MIP_MORE_STRINGS_DESCRIPTOR, "30313233343536373839616263646566016a6b");
-    CHECK(mip_more_strings_decode(&t, &field) == MIP_OK);
+    struct mip_measurements_strings t;
+    struct mip_field field = field_of(0x81, MIP_MEASUREMENTS_STRINGS_DESCRIPTOR, "30313233343536373839616263646566016a6b");
+    CHECK(mip_measurements_strings_decode(&t, &field) == MIP_OK);
     CHECK(strcmp(t.model, "0123456789abcdef") == 0 && strcmp(t.name, "j") == 0);
     CHECK(t.rest_count == 1 && strcmp(t.rest, "k") == 0);
 }
@@ -260,6 +294,7 @@ int main(void) {
     counts();
     refused();
     sets();
+    several_sets();
     other_fields();
     names_of_values();
     unions();

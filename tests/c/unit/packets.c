@@ -23,6 +23,27 @@ static void packets(void) {
     CHECK(mip_packet_check(changed, 8, &packet) == MIP_ERROR_SYNC);
 }
 
+/* The parser, the check and the builder agree: no packet has descriptor set 0 or 0xFF. */
+static void sets(void) {
+    for (unsigned set = 0; set < 256; set++) {
+        uint8_t bytes[8] = {0x75, 0x65, (uint8_t)set, 2, 2, 1, 0, 0};
+        uint8_t buffer[MIP_MAX_PACKET];
+        const bool valid = set > 0 && set < 0xFF;
+        const uint16_t sum = mip_checksum(bytes, 6);
+        const uint8_t *data = bytes;
+        size_t size = sizeof(bytes);
+        struct mip_packet packet;
+        struct mip_parser p;
+        struct mip_builder b;
+        mip_put_16(bytes + 6, sum);
+        mip_parser_init(&p);
+        CHECK(mip_parser_next(&p, &data, &size, &packet) == valid && p.skipped == (valid ? 0 : 8));
+        CHECK(mip_packet_check(bytes, sizeof(bytes), &packet) == (valid ? MIP_OK : MIP_ERROR_LENGTH));
+        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), (uint8_t)set) == (valid ? MIP_OK : MIP_ERROR_SET));
+        CHECK(mip_builder_set(&b) == (valid ? set : 0));
+    }
+}
+
 static void builder(void) {
     uint8_t buffer[MIP_MAX_PACKET + 8];
     uint8_t data[MIP_MAX_FIELD_DATA + 1];
@@ -192,6 +213,7 @@ static void names(void) {
 int main(void) {
     CHECK(mip_version() == MIP_VERSION_NUMBER);
     packets();
+    sets();
     builder();
     walk();
     walk_of_nothing();

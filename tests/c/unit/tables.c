@@ -3,10 +3,10 @@
 
 #include "mip/profiles.h"
 #include "mip/measurements.h"
-#include "mip/more.h"
 #include "mip/protocol.h"
 #include "mip/reflect.h"
 #include "mip/registry.h"
+#include "mip/shared.h"
 #include "mip/tools.h"
 
 static bool is(const char *a, const char *b) {
@@ -14,46 +14,88 @@ static bool is(const char *a, const char *b) {
 }
 
 static void registry(void) {
-    size_t count;
     /* Layouts are told apart by constants, as far as the data reach, then by size. */
     struct mip_field field = field_of(1, 0x90, "1267");
-    CHECK(is(mip_registry_find(&field)->name, "tools.status_short"));
+    CHECK(is(mip_registry_find(&field)->name, "status_short"));
     field = field_of(1, 0x90, "126703");
     CHECK(mip_registry_find(&field) == NULL);
     static const uint8_t data[253] = {0x12, 0x67, 0x02};
     for (uint8_t size = 3; size <= 253; size++) {
         field.data = data;
         field.size = size;
-        CHECK(is(mip_registry_find(&field)->name, size < 15    ? "tools.status_old"
-                                                  : size == 15 ? "tools.status_long"
-                                                               : "tools.status_full"));
+        CHECK(is(mip_registry_find(&field)->name, size < 15    ? "status_old"
+                                                  : size == 15 ? "status_long"
+                                                               : "status_full"));
     }
-    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 4);
-    CHECK(mip_registry_candidates(1, 0x7F, &count) == NULL && count == 0);
+    size_t count = 0;
+    for (const struct mip_entry *e = NULL; (e = mip_registry_next(1, 0x90, e)) != NULL; count++) {
+        CHECK(e->descriptor == 0x90);
+    }
+    CHECK(count == 4 && mip_registry_next(1, 0x7F, NULL) == NULL && mip_registry_next(0x55, 0x01, NULL) == NULL);
     field = field_of(0x55, 0xF1, "");
     CHECK(mip_registry_find(&field)->codec == &mip_protocol_acknowledge_codec);
     field = field_of(0x99, 0xD3, "");
-    CHECK(is(mip_registry_find(&field)->name, "shared.timestamp"));
+    CHECK(is(mip_registry_find(&field)->name, "timestamp"));
     field = field_of(0x81, 0x01, "");
-    CHECK(is(mip_registry_find(&field)->name, "more.accel"));
-    CHECK(mip_registry_find(&field)->codec == &mip_more_accel_codec);
-    CHECK(mip_registry_by_name("no.such_field") == NULL);
+    CHECK(is(mip_registry_find(&field)->name, "accel"));
+    CHECK(mip_registry_find(&field)->codec == &mip_measurements_accel_codec);
 
     /* Commands and responses, both ways. */
-    const struct mip_entry *bias = mip_registry_by_name("tools.bias");
+    const struct mip_entry *bias = mip_registry_by_name("tools.bias", NULL);
     const struct mip_entry *vector = mip_registry_link(bias, 0);
     CHECK(vector->codec == &mip_tools_bias_vector_codec && mip_registry_link(bias, 1) == NULL);
     CHECK(mip_registry_link(vector, 0) == bias);
     CHECK(mip_registry_link(vector, 1)->codec == &mip_tools_capture_bias_codec);
     CHECK(mip_registry_link(vector, 2) == NULL);
-    CHECK(is(mip_registry_link(mip_registry_by_name("tools.set_time"), 1)->name, "tools.set_time_slow_response"));
+    CHECK(is(mip_registry_link(mip_registry_by_name("tools.set_time", NULL), 1)->name, "set_time_slow_response"));
     for (size_t i = 0; i < mip_registry_size; i++) {
         const struct mip_entry *e = &mip_registry[i];
         CHECK(mip_reflect(e->codec) != NULL && mip_reflect(e->codec)->record->size == e->codec->size);
-        CHECK(mip_registry_by_name(e->name) == e);
         for (size_t k = 0; k < e->link_count; k++) {
             CHECK(mip_registry_link(e, k)->role == (e->role == MIP_COMMAND ? MIP_RESPONSE : MIP_COMMAND));
         }
+    }
+}
+
+/* A type has a name in each set in which it occurs, and another type may have its descriptor in others. */
+static void names_by_set(void) {
+    static const struct {
+        const char *name;
+        uint8_t set;
+        const struct mip_codec *codec;
+    } known[] = {
+        {"measurements.accel", 0x80, &mip_measurements_accel_codec},
+        {"more.accel", 0x81, &mip_measurements_accel_codec},
+        {"copy.accel", 0x92, &mip_measurements_accel_codec},
+        {"measurements.radio", 0x80, &mip_measurements_radio_codec},
+        {"more.own", 0x81, &mip_measurements_own_codec},
+        {"copy.radio", 0x92, &mip_measurements_radio_codec},
+        {"tools.ping", 0x01, &mip_tools_ping_codec},
+        {"shared.timestamp", 0xFF, &mip_shared_timestamp_codec},
+        {"protocol.acknowledge", 0, &mip_protocol_acknowledge_codec},
+    };
+    for (size_t i = 0; i < sizeof(known) / sizeof(known[0]); i++) {
+        uint8_t set = 0x77;
+        const struct mip_entry *entry = mip_registry_by_name(known[i].name, &set);
+        CHECK(entry != NULL && entry->codec == known[i].codec && set == known[i].set);
+        CHECK(mip_registry_by_name(known[i].name, NULL) == entry);
+        const uint8_t packet = set == 0 ? 0x55 : set == 0xFF ? 0x92
+                                                             : set; /* one in which it may be */
+        const struct mip_field field = {NULL, 0, packet, entry->descriptor};
+        CHECK(mip_registry_find(&field) == entry && mip_registry_next(packet, entry->descriptor, NULL) == entry);
+        CHECK(mip_registry_next(packet, entry->descriptor, entry) == NULL);
+        const char *name = mip_registry_set_name(entry, packet);
+        CHECK(strncmp(name, known[i].name, strlen(name)) == 0 && is(known[i].name + strlen(name) + 1, entry->name));
+    }
+    static const char *const unknown[] = {"no.such_field", "more.radio", "copy.own", "measurements.own", "more", "", "accel",
+                                          "more.", "moreaccel", "mor.accel"};
+    for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
+        uint8_t set = 0x77;
+        CHECK(mip_registry_by_name(unknown[i], &set) == NULL && set == 0x77);
+    }
+    CHECK(is(mip_registry_set(0x92)->name, "copy") && mip_registry_set(0x93) == NULL && mip_registry_set(0xFE) == NULL);
+    for (size_t i = 0; i < mip_registry_set_count; i++) {
+        CHECK(mip_registry_set(mip_registry_sets[i].number) == &mip_registry_sets[i]);
     }
 }
 
@@ -68,10 +110,7 @@ static void sets(void) {
         const struct mip_entry *e = &mip_registry[i];
         CHECK(e->codec->size <= sizeof(value));
         for (unsigned set = 1; set < 0xFF; set++) {
-            const bool data = set >= 0x80;
-            const bool right = e->descriptor_set == 0xFF ? data
-                               : e->descriptor_set == 0  ? !data
-                                                         : set == e->descriptor_set;
+            const bool right = mip_codec_belongs(e->codec, (uint8_t)set);
             struct mip_builder b;
             CHECK(mip_builder_start(&b, buffer, sizeof(buffer), (uint8_t)set) == MIP_OK);
             CHECK(mip_encode(e->codec, &value, &b) == (right ? MIP_OK : MIP_ERROR_SET));
@@ -96,7 +135,7 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, 0, 0, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 
@@ -156,6 +195,7 @@ static void model_numbers(void) {
 
 int main(void) {
     registry();
+    names_by_set();
     sets();
     reflection();
     devices();

@@ -25,11 +25,12 @@ import serial
 from both import PATIENCE, Kind, Peer, acknowledge, packet
 from mip_protocol import aiding, base, mip_3dm, sensor, shared, timestamps, types
 from mip_protocol.baud import rates
-from mip_protocol.simulator import LivePort
-from mip_protocol.simulator.device import VirtualDevice
-from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
-from mip_protocol.simulator.faults import Faults
-from mip_protocol.simulator.serve import Server
+from mip_tools.sentences import Sentences
+from mip_tools.simulator import LivePort
+from mip_tools.simulator.device import VirtualDevice
+from mip_tools.simulator.endpoints import Endpoint, pty_at, tcp_at
+from mip_tools.simulator.faults import Faults
+from mip_tools.simulator.serve import Server
 from support import ROOT, expected_parse
 
 DEVICE = "3dm-cv7-gnss-ins"
@@ -102,7 +103,7 @@ def test_nothing_intact_is_lost(kind: Kind, place: str, tmp_path: Path) -> None:
     data = [p for p in found["packets"] if int(p[4:6], 16) >= 0x80]
     assert [bytes(a.packet).hex() for a in arrivals if a.packet.set >= 0x80] == data and len(data) > 40
     assert len(between) == found["skipped"] > 0
-    assert mip.Sentences().feed(bytes(between))
+    assert Sentences().feed(bytes(between))
 
 
 def drain(device: Any) -> list[mip.Arrival]:

@@ -23,14 +23,15 @@ from mip_protocol import (
     aio,
     base,
     conversation,
-    gnss_1,
+    gnss_data,
     mip_3dm,
     port,
     sensor,
-    simulator,
     types,
 )
 from mip_protocol import device as sync
+from mip_tools.sentences import Sentences
+from mip_tools.simulator.device import VirtualDevice
 from support import ROOT
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
@@ -284,8 +285,8 @@ def test_fields_of_some_types(kind: Kind, peer: Peer) -> None:
         ]  # fmt: skip
 
 
-SATELLITE = gnss_1.SatelliteStatus(
-    1, 3, 0.0, 0, types.GnssConstellation.GPS, 7, 45.0, 90.0, True, gnss_1.SatelliteStatusFlags(0)
+SATELLITE = gnss_data.SatelliteStatus(
+    1, 3, 0.0, 0, types.GnssConstellation.GPS, 7, 45.0, 90.0, True, gnss_data.SatelliteStatusFlags(0)
 )
 
 
@@ -298,13 +299,13 @@ def test_all_fields_of_a_type_in_a_packet(kind: Kind, peer: Peer) -> None:
     """There is one field for each satellite."""
     with kind.at(peer.near) as device:
         peer.send(satellites(5, 3, 9), DATA, satellites(4))
-        found = device.fields(gnss_1.SatelliteStatus, sensor.ScaledAccel)
+        found = device.fields(gnss_data.SatelliteStatus, sensor.ScaledAccel)
         fields = [next(found)[1] for _ in range(5)]
         assert [getattr(f, "satellite_id", None) for f in fields] == [5, 3, 9, None, 4]
         peer.send(satellites(1, 2))
         arrival = device.next(5)
-        assert [f.satellite_id for f in arrival.find_all(gnss_1.SatelliteStatus)] == [1, 2]
-        assert arrival.find(gnss_1.SatelliteStatus).satellite_id == 1
+        assert [f.satellite_id for f in arrival.find_all(gnss_data.SatelliteStatus)] == [1, 2]
+        assert arrival.find(gnss_data.SatelliteStatus).satellite_id == 1
         assert list(arrival.find_all(sensor.ScaledAccel)) == []
 
 
@@ -332,7 +333,7 @@ def test_the_oldest_are_dropped_and_counted(kind: Kind, peer: Peer) -> None:
 
 def test_what_is_between_packets_is_handed_over(kind: Kind, peer: Peer) -> None:
     seen, read = bytearray(), bytearray()
-    sentences = mip.Sentences()
+    sentences = Sentences()
     nmea = b"$GPZDA,010203.00,01,02,2024,00,00*61\r\n"
     with kind.at(peer.near, on_skipped=seen.extend, on_bytes=read.extend) as device:
         stream = [b"noise", DATA, nmea, DATA, b"ue\x80\x04", nmea, acknowledge(1, 1)]
@@ -670,7 +671,7 @@ def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
     with pytest.raises(TypeError, match="it needs `read` and `write`"):
         kind.at(object())
     with pytest.raises(TypeError, match="its `read` takes no size"):
-        kind.at(simulator.VirtualDevice("3dm-cv7-gnss-ins").connect())
+        kind.at(VirtualDevice("3dm-cv7-gnss-ins").connect())
     for options in ({"capacity": 0}, {"timeout": 0}, {"timeout": math.nan}):
         with pytest.raises(ValueError, match=r"at least one packet|some time|a number of seconds"):
             kind.at(peer.near, **options)

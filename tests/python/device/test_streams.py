@@ -9,9 +9,11 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import packet
-from mip_protocol import Packet, Parser, Samples, Sentences, mip_3dm, samples, sentences, types
+from mip_protocol import Packet, Parser, Samples, mip_3dm, samples, types
 from mip_protocol.sampling import MOST
-from mip_protocol.simulator.device import VirtualDevice
+from mip_tools import sentences
+from mip_tools.sentences import Sentences
+from mip_tools.simulator.device import VirtualDevice
 
 
 def test_the_examples_in_the_documentation() -> None:

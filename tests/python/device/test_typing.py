@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from mip_protocol import mip_3dm, registry, types
 from mip_protocol.field import Command
-from mip_protocol.simulator.device import VirtualDevice
-from mip_protocol.simulator.endpoints import tcp_at
+from mip_tools.simulator.device import VirtualDevice
+from mip_tools.simulator.endpoints import tcp_at
 from support import ROOT, model, mypy
 from test_ports import DEVICE, serving
 
@@ -20,7 +20,7 @@ PACKAGE = ROOT / "generated/python"
 
 CHECKED = """
 from typing_extensions import assert_type
-from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, gnss_1, mip_3dm, sensor
+from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, gnss_data, mip_3dm, sensor
 from mip_protocol.base import GpsTimeUpdateTowResponse, GpsTimeUpdateWeekNumberResponse
 
 def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
@@ -65,8 +65,8 @@ async def asynchronous(device: aio.Device) -> None:
     assert_type(await aio.open_port("socket://localhost:5000"), aio.Device)
     async for _, accel in other.fields(sensor.ScaledAccel):
         assert_type(accel, sensor.ScaledAccel)
-    async for _, field in other.fields(sensor.ScaledAccel, sensor.ScaledGyro, gnss_1.SatelliteStatus):
-        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro | gnss_1.SatelliteStatus)
+    async for _, field in other.fields(sensor.ScaledAccel, sensor.ScaledGyro, gnss_data.SatelliteStatus):
+        assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro | gnss_data.SatelliteStatus)
 """
 
 

@@ -152,7 +152,8 @@ fn replies_may_come_in_several_packets_with_data_between() {
     let first = request.add(&tools::Ping).unwrap();
     let second = request.add(&tools::Inventory).unwrap();
     let _ = request.send(0);
-    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    data.push(&measurements::Accel::default()).unwrap();
     assert_eq!(client.receive(&data.packet()).count(), 0);
     let reply = Reply::new().ack(1, AckCode::OK);
     assert!(only(&mut client, &reply).answer(&first).is_some());
@@ -407,7 +408,8 @@ fn an_answer_behind_noise() {
     let mut client: Client = Client::new();
     let mut parser = Parser::new();
     let ticket = sent(&mut client, &tools::Ping, 0);
-    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    data.push(&measurements::Accel::default()).unwrap();
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
     // The last packet is not complete yet; it is not given up.
@@ -443,7 +445,8 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
-    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response.clone(), 0))));
+    let found = AnyField::decode(&event.response().unwrap()).unwrap().unwrap();
+    assert_eq!((found.set, &found.field, found.left_over), (tools::SET, &response, 0));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
 }
 

@@ -74,7 +74,7 @@ fn ack(command: u8, code: AckCode) -> Vec<u8> {
 }
 
 fn packet<T: Field>(field: &T) -> Vec<u8> {
-    let mut builder = PacketBuilder::new(if T::SET == 0 { tools::SET } else { T::SET });
+    let mut builder = PacketBuilder::new(T::SETS[0]);
     builder.push(field).unwrap();
     builder.bytes().to_vec()
 }
@@ -417,7 +417,7 @@ fn an_answer_is_known_until_the_next_command() {
 
 #[test]
 fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
-    let mut large = PacketBuilder::new(measurements::SET);
+    let mut large = PacketBuilder::new(measurements::MEASUREMENTS);
     large.push_raw(0x70, &[0; 200]).unwrap();
     let replies = vec![data(1.0), data(2.0), large.bytes().to_vec(), ack(1, AckCode::OK)];
     let port = Played { replies: [replies].into(), ..Default::default() };
@@ -496,7 +496,7 @@ fn a_command_whose_type_is_known_at_run_time() {
         vec![],
     ]);
     let mut send = |command: AnyField| {
-        let set = command.info().set;
+        let set = command.info().set().unwrap();
         let ticket = device.send_all(set, |request| request.add_any(&command)).unwrap();
         // It is there until the next command.
         assert_eq!(device.event(&ticket), device.event(&ticket));
@@ -505,8 +505,8 @@ fn a_command_whose_type_is_known_at_run_time() {
     let (first, bias) = send(tools::Bias::read().into());
     let bias = bias.unwrap();
     assert_eq!((bias.id, bias.outcome), (first.id(), Outcome::Acknowledged));
-    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap().0;
-    assert_eq!(response, AnyField::from(BIAS));
+    let response = AnyField::decode(&bias.response().unwrap()).unwrap().unwrap();
+    assert_eq!(response.field, AnyField::from(BIAS));
     let refused = send(tools::Ping.into()).1.unwrap();
     assert_eq!(refused.outcome, Outcome::Refused(AckCode::INVALID_PARAMETER));
     assert_eq!(send(tools::Ping.into()).1.unwrap().outcome, Outcome::TimedOut);

@@ -4,8 +4,8 @@
 
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
 use mip_protocol::{
-    devices, measurements, mip_3d, more, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader,
+    devices, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool, Command,
+    DecodeErrorKind, EncodeErrorKind, Field, List, OneSet, PacketBuilder, RawField, Reader,
     Response, ResponseOf, Role, Text,
 };
 
@@ -272,8 +272,8 @@ fn constants_are_sent_and_demanded() {
     assert_eq!(raw.get::<tools::StatusLong>(), None);
     let found = tools::StatusResponses::from_field(&raw);
     assert_eq!(found, Some(Ok(tools::StatusResponses::Short(short))));
-    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
-    assert_eq!(any, AnyField::ToolsStatusShort(short));
+    let found = AnyField::decode(&raw).unwrap().unwrap();
+    assert_eq!(found.field, AnyField::ToolsStatusShort(short));
     let neither = RawField { data: &[0x12, 0x67, 3, 0, 0, 0, 0], ..raw };
     assert!(AnyField::decode(&neither).is_none());
     assert_eq!(tools::StatusResponses::from_field(&neither), None);
@@ -367,25 +367,49 @@ fn commands_tell_what_to_expect() {
 }
 
 #[test]
-fn repeated_fields_have_their_own_types() {
-    assert_eq!((more::SET, more::Accel::SET, measurements::Accel::SET), (0x81, 0x81, 0x80));
-    let data = bytes(&measurements::Accel::default());
-    let raw = RawField { set: more::SET, descriptor: more::Accel::DESCRIPTOR, data: &data };
-    assert!(raw.is::<more::Accel>() && !raw.is::<measurements::Accel>());
-    assert_eq!(raw.get::<measurements::Accel>(), None);
-    let accel: more::Accel = raw.get().unwrap().unwrap();
-    // Types of values are those of the original.
-    let accel_1 =
-        measurements::Accel { scaled_accel: accel.scaled_accel, valid_flags: accel.valid_flags };
-    assert_eq!(accel_1, measurements::Accel::default());
-    let mut both = PacketBuilder::with(&accel).unwrap();
-    assert_eq!(both.set(), 0x81);
-    assert_eq!(both.push(&accel_1).map_err(|e| e.kind), Err(EncodeErrorKind::Set));
-    assert_eq!(both.packet().find::<more::Accel>(), Some(Ok(accel)));
-    assert_eq!(both.packet().find::<measurements::Accel>(), None);
-    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
-    assert_eq!(any, AnyField::MoreAccel(accel));
-    assert_eq!(any.info().name, "more.accel");
+fn a_layout_is_one_type_in_all_its_sets() {
+    use measurements::{Accel, Own, Radio, Strings, COPY, MEASUREMENTS, MORE};
+    assert_eq!((MEASUREMENTS, MORE, COPY), (0x80, 0x81, 0x92));
+    assert_eq!(Accel::SETS, [MEASUREMENTS, MORE, COPY]);
+    assert_eq!((Strings::SETS, Radio::SETS), (&[0x80, 0x81, 0x92][..], &[0x80, 0x92][..]));
+    let accel = Accel::default();
+    let data = bytes(&accel);
+    for (set, name, title) in [
+        (MEASUREMENTS, "measurements.accel", "Acceleration"),
+        (MORE, "more.accel", "Second acceleration"),
+        (COPY, "copy.accel", "Third acceleration"),
+    ] {
+        let raw = RawField { set, descriptor: Accel::DESCRIPTOR, data: &data };
+        assert_eq!(raw.get(), Some(Ok(accel)));
+        let found = AnyField::decode(&raw).unwrap().unwrap();
+        assert_eq!((found.set, &found.field), (set, &AnyField::MeasurementsAccel(accel)));
+        assert_eq!((found.name(), found.title()), (name, title));
+        let info = registry::FieldInfo::by_name(name).unwrap();
+        assert_eq!((info, info.name), (found.field.info(), "measurements.accel"));
+        assert_eq!((info.name_in(set), info.title_in(set)), (Some(name), Some(title)));
+        assert_eq!((info.name_in(0x82), info.title_in(0x82), info.set()), (None, None, None));
+        let mut packet = PacketBuilder::new(set);
+        packet.push(&accel).unwrap();
+        assert_eq!(packet.packet().find(), Some(Ok(accel)));
+    }
+    let other = RawField { set: 0x82, descriptor: Accel::DESCRIPTOR, data: &data };
+    assert!(!other.is::<Accel>() && other.get::<Accel>().is_none());
+    assert!(AnyField::decode(&other).is_none());
+    // One descriptor, another layout in one of the sets.
+    assert_eq!((Own::DESCRIPTOR, Own::SET, Own::SETS), (Radio::DESCRIPTOR, MORE, &[MORE][..]));
+    let raw = RawField { set: MORE, descriptor: 7, data: &[2; 40] };
+    assert!(raw.is::<Own>() && !raw.is::<Radio>());
+    let found = AnyField::decode(&raw).unwrap().unwrap();
+    assert_eq!((found.name(), found.left_over), ("more.own", 39));
+    assert_eq!(found.field.info().set(), Some(MORE));
+    for set in [MEASUREMENTS, COPY] {
+        let raw = RawField { set, ..raw };
+        assert!(raw.is::<Radio>() && !raw.is::<Own>());
+        assert!(matches!(
+            AnyField::decode(&raw).unwrap().unwrap().field,
+            AnyField::MeasurementsRadio(_)
+        ));
+    }
 }
 
 #[test]
@@ -397,7 +421,7 @@ fn the_registry_finds_every_field() {
     assert_eq!(registry::FieldInfo::of(&raw).unwrap().name, "shared.timestamp");
     assert_eq!(raw.get::<shared::Timestamp>(), Some(Ok(shared::Timestamp::default())));
     let raw = RawField { set: 0x7F, descriptor: 0xF1, data: &[1, 3] };
-    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
+    let any = AnyField::decode(&raw).unwrap().unwrap().field;
     let ack = protocol::Acknowledge { command: 1, code: protocol::AckCode::INVALID_PARAMETER };
     assert_eq!(any, AnyField::ProtocolAcknowledge(ack));
     let mut buffer = [0; 2];

@@ -245,21 +245,19 @@ fn errors_tell_the_field_and_what_it_needs() {
     assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
     let error = measurements::Accel::default().encode(&mut [0; 3]).unwrap_err();
     assert_eq!((error.need, error.got), (14, 3));
-    let error = PacketBuilder::with(&shared::Timestamp::default()).unwrap_err();
-    assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Set, 0xFF, 0xFF));
-    let remedy = "shared.timestamp: it belongs in packets of data sets, not in one of set 0xff; \
-                  begin the packet with PacketBuilder::new and push it";
-    assert_eq!(error.to_string(), remedy);
     let error = PacketBuilder::new(1).push(&shared::Timestamp::default()).unwrap_err();
-    assert_eq!(error.to_string(), remedy.replace("0xff", "0x01"));
+    assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Set, 0x80, 0x01));
+    assert_eq!(error.to_string(), "shared.timestamp: it occurs in set 0x80, and not in set 0x01");
+    let error = PacketBuilder::new(0xFF).push(&shared::Timestamp::default()).unwrap_err();
+    assert_eq!(error.to_string(), "shared.timestamp: no packet has set 0xff");
     let error = PacketBuilder::new(0).push_raw(1, &[]).unwrap_err();
     assert_eq!(error.to_string(), "no packet has set 0x00");
     let error = PacketBuilder::new(0xFF).push_raw(1, &[]).unwrap_err();
     assert_eq!(error.to_string(), "no packet has set 0xff");
     let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();
-    assert_eq!(error.to_string(), "tools.ping: set 0x01 in a packet of set 0x80");
+    assert_eq!(error.to_string(), "tools.ping: it occurs in set 0x01, and not in set 0x80");
     let error: Box<dyn std::error::Error> = Box::new(error.kind);
-    assert_eq!(error.to_string(), "the field does not belong to the descriptor set of the packet");
+    assert_eq!(error.to_string(), "the field does not occur in the descriptor set of the packet");
 }
 
 trait DefaultWrite {
@@ -276,7 +274,7 @@ impl DefaultWrite for tools::Settings {
 
 #[test]
 fn an_absent_field_is_no_broken_one() {
-    let mut builder = PacketBuilder::new(measurements::SET);
+    let mut builder = PacketBuilder::new(measurements::MEASUREMENTS);
     builder.push_raw(measurements::Numbers::DESCRIPTOR, &[0; 3]).unwrap();
     let packet: Packet<'_> = builder.packet();
     let broken = packet.find::<measurements::Numbers>().unwrap().unwrap_err();
@@ -289,7 +287,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
     let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
     for have in 0..=14 {
         // It has all values that it needs, and yet not the bytes that its length announces.
-        let bytes = sealed(measurements::SET, &payload[..have + 4]);
+        let bytes = sealed(measurements::MEASUREMENTS, &payload[..have + 4]);
         let packet = Packet::new(&bytes).unwrap();
         let expected = (measurements::Accel::NAME, DecodeErrorKind::Truncated, 14, have);
         let Some(found) = packet.find::<measurements::Accel>() else { panic!("{have}: absent") };
@@ -298,7 +296,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
             Err(e) => assert_eq!((e.field, e.kind, e.need, e.got), expected),
         }
         assert_eq!(packet.find::<measurements::Numbers>(), None);
-        let other = sealed(0x81, &payload[..have + 4]);
+        let other = sealed(0x82, &payload[..have + 4]);
         assert_eq!(Packet::new(&other).unwrap().find::<measurements::Accel>(), None);
     }
     // Values that are all there do not help: 12 bytes are announced, and 10 follow.
@@ -313,7 +311,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
     assert_eq!(Packet::new(&bytes).unwrap().find::<tools::Status>(), None);
     // Nobody can tell what a field without a descriptor is.
     for length in 0..2 {
-        let bytes = sealed(measurements::SET, &[length, measurements::Accel::DESCRIPTOR]);
+        let bytes = sealed(measurements::MEASUREMENTS, &[length, measurements::Accel::DESCRIPTOR]);
         assert_eq!(Packet::new(&bytes).unwrap().find::<measurements::Accel>(), None);
     }
 }
@@ -338,7 +336,7 @@ impl Visitor for Look {
         let length = value.to_vec().ok()?.len();
         assert_eq!(T::INFO, *value.into_any().info());
         assert_eq!(T::INFO.parameters(), T::PARAMETERS);
-        Some((T::INFO.title, length))
+        Some((T::INFO.title_in(field.set)?, length))
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {

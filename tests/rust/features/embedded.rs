@@ -146,7 +146,8 @@ fn replies() -> Vec<Vec<u8>> {
     let bias = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
     let mut answer = ack(5, AckCode::OK);
     answer.push(&bias).unwrap();
-    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    data.push(&measurements::Accel::default()).unwrap();
     let refusal = ack(5, AckCode::INVALID_PARAMETER);
     let noise = b"ue\x80\xFF";
     vec![
@@ -169,7 +170,7 @@ fn a_device_at_a_port_of_embedded_io() {
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
     for _ in 0..2 {
         let packet = device.next_packet(50).unwrap().unwrap();
-        assert_eq!(packet.set(), measurements::SET);
+        assert_eq!(packet.set(), measurements::MEASUREMENTS);
     }
     assert!(device.next_packet(50).unwrap().is_none());
     assert_eq!(device.request(&tools::Bias::read()), Err(DeviceError::Command(REFUSED)));
@@ -190,7 +191,7 @@ fn a_device_that_is_awaited() {
         assert_eq!(device.request(&read).await, Ok(BIAS));
         for _ in 0..2 {
             let packet = device.next_packet(50).await.unwrap().unwrap();
-            assert_eq!(packet.set(), measurements::SET);
+            assert_eq!(packet.set(), measurements::MEASUREMENTS);
         }
         let before = uart.now();
         assert!(device.next_packet(50).await.unwrap().is_none());
@@ -307,7 +308,8 @@ fn a_late_answer_is_not_that_of_the_next_command() {
 fn a_program_that_was_stopped_finds_what_came_in_time() {
     let mut answer = ack(5, AckCode::OK);
     answer.push(&BIAS).unwrap();
-    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    data.push(&measurements::Accel::default()).unwrap();
     let uart = Uart::answering(&[answer.bytes().to_vec(), vec![]]);
     let clock = uart.clone();
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
@@ -336,7 +338,8 @@ fn time_goes_on_while_noise_comes_without_end() {
 
 #[test]
 fn packets_behind_noise_are_found_before_a_port_is_closed() {
-    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let mut data = PacketBuilder::new(measurements::MEASUREMENTS);
+    data.push(&measurements::Accel::default()).unwrap();
     let noise = b"ue\x80\xFF";
     let uart = Uart::answering(&[[noise, ack(1, AckCode::OK).bytes()].concat()]);
     uart.0.borrow_mut().closed = true;

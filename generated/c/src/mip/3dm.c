@@ -15,7 +15,7 @@ static const uint8_t program_poll_imu_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_imu_data), program_poll_imu_data};
+    0x0C, 0x01, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_imu_data), 0, program_poll_imu_data};
 
 static bool silent_poll_imu_data(const void *value) {
     const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
@@ -37,7 +37,7 @@ static const uint8_t program_poll_gnss_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C, 0x02, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_gnss_data), program_poll_gnss_data};
+    0x0C, 0x02, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_gnss_data), 0, program_poll_gnss_data};
 
 static bool silent_poll_gnss_data(const void *value) {
     const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
@@ -58,8 +58,13 @@ static const uint8_t program_poll_filter_data[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_poll_filter_data_codec = {
-    0x0C, 0x03, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_filter_data), program_poll_filter_data};
+const struct mip_codec mip_3dm_poll_filter_data_codec = {0x0C,
+                                                         0x03,
+                                                         MIP_COMMAND,
+                                                         0,
+                                                         sizeof(struct mip_3dm_poll_filter_data),
+                                                         0,
+                                                         program_poll_filter_data};
 
 static bool silent_poll_filter_data(const void *value) {
     const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
@@ -81,7 +86,7 @@ static const uint8_t program_poll_nmea_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C, 0x04, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_nmea_data), program_poll_nmea_data};
+    0x0C, 0x04, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_nmea_data), 0, program_poll_nmea_data};
 
 static bool silent_poll_nmea_data(const void *value) {
     const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
@@ -100,6 +105,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
                                                           MIP_COMMAND,
                                                           0,
                                                           sizeof(struct mip_3dm_get_imu_base_rate),
+                                                          0,
                                                           program_get_imu_base_rate};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
@@ -121,6 +127,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_get_imu_base_rate_response),
+    0,
     program_get_imu_base_rate_response};
 
 static const uint8_t program_get_gnss_base_rate[] = {
@@ -133,6 +140,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_get_gnss_base_rate),
+    0,
     program_get_gnss_base_rate};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
@@ -154,6 +162,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_get_gnss_base_rate_response),
+    0,
     program_get_gnss_base_rate_response};
 
 static const uint8_t program_imu_message_format[] = {
@@ -176,6 +185,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_imu_message_format),
+    0,
     program_imu_message_format};
 
 static bool asked_imu_message_format_1(const void *value) {
@@ -209,6 +219,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_imu_message_format_response),
+    0,
     program_imu_message_format_response};
 
 static const uint8_t program_gnss_message_format[] = {
@@ -231,6 +242,7 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_gnss_message_format),
+    0,
     program_gnss_message_format};
 
 static bool asked_gnss_message_format_1(const void *value) {
@@ -264,6 +276,7 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_gnss_message_format_response),
+    0,
     program_gnss_message_format_response};
 
 static const uint8_t program_filter_message_format[] = {
@@ -286,6 +299,7 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_filter_message_format),
+    0,
     program_filter_message_format};
 
 static bool asked_filter_message_format_1(const void *value) {
@@ -320,6 +334,7 @@ const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_filter_message_format_response),
+    0,
     program_filter_message_format_response};
 
 static const uint8_t program_get_filter_base_rate[] = {
@@ -332,6 +347,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_get_filter_base_rate),
+    0,
     program_get_filter_base_rate};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
@@ -353,6 +369,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_get_filter_base_rate_response),
+    0,
     program_get_filter_base_rate_response};
 
 static const uint8_t program_nmea_message_format[] = {
@@ -375,6 +392,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_nmea_message_format),
+    0,
     program_nmea_message_format};
 
 static bool asked_nmea_message_format_1(const void *value) {
@@ -408,6 +426,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_nmea_message_format_response),
+    0,
     program_nmea_message_format_response};
 
 static const uint8_t program_poll_data[] = {
@@ -419,7 +438,7 @@ static const uint8_t program_poll_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_data), program_poll_data};
+    0x0C, 0x0D, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_data), 0, program_poll_data};
 
 static bool silent_poll_data(const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
@@ -435,7 +454,7 @@ static const uint8_t program_get_base_rate[] = {
 };
 
 const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, 0x0E, MIP_COMMAND, 1, sizeof(struct mip_3dm_get_base_rate), program_get_base_rate};
+    0x0C, 0x0E, MIP_COMMAND, 1, sizeof(struct mip_3dm_get_base_rate), 0, program_get_base_rate};
 
 static const struct mip_response responses_get_base_rate[] = {
     {&mip_3dm_get_base_rate_response_codec, NULL},
@@ -457,6 +476,7 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     MIP_RESPONSE,
     3,
     sizeof(struct mip_3dm_get_base_rate_response),
+    0,
     program_get_base_rate_response};
 
 static const uint8_t program_message_format[] = {
@@ -475,7 +495,7 @@ static const uint8_t program_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C, 0x0F, MIP_COMMAND, 0, sizeof(struct mip_3dm_message_format), program_message_format};
+    0x0C, 0x0F, MIP_COMMAND, 0, sizeof(struct mip_3dm_message_format), 0, program_message_format};
 
 static bool asked_message_format_1(const void *value) {
     const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
@@ -508,6 +528,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_message_format_response),
+    0,
     program_message_format_response};
 
 static const uint8_t program_factory_streaming[] = {
@@ -520,6 +541,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
                                                           MIP_COMMAND,
                                                           2,
                                                           sizeof(struct mip_3dm_factory_streaming),
+                                                          0,
                                                           program_factory_streaming};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
@@ -540,6 +562,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_data_stream_control),
+    0,
     program_data_stream_control};
 
 static bool asked_data_stream_control_1(const void *value) {
@@ -566,6 +589,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_data_stream_control_response),
+    0,
     program_data_stream_control_response};
 
 static const uint8_t program_constellation_settings[] = {
@@ -590,6 +614,7 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_constellation_settings),
+    0,
     program_constellation_settings};
 
 static bool asked_constellation_settings_1(const void *value) {
@@ -625,6 +650,7 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_constellation_settings_response),
+    0,
     program_constellation_settings_response};
 
 static const uint8_t program_gnss_sbas_settings[] = {
@@ -647,6 +673,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings),
+    0,
     program_gnss_sbas_settings};
 
 static bool asked_gnss_sbas_settings_1(const void *value) {
@@ -678,6 +705,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
+    0,
     program_gnss_sbas_settings_response};
 
 static const uint8_t program_gnss_assisted_fix[] = {
@@ -694,6 +722,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
                                                           MIP_COMMAND,
                                                           0,
                                                           sizeof(struct mip_3dm_gnss_assisted_fix),
+                                                          0,
                                                           program_gnss_assisted_fix};
 
 static bool asked_gnss_assisted_fix_1(const void *value) {
@@ -720,6 +749,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
+    0,
     program_gnss_assisted_fix_response};
 
 static const uint8_t program_gnss_time_assistance[] = {
@@ -739,6 +769,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_gnss_time_assistance),
+    0,
     program_gnss_time_assistance};
 
 static bool asked_gnss_time_assistance_1(const void *value) {
@@ -768,6 +799,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     MIP_RESPONSE,
     14,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
+    0,
     program_gnss_time_assistance_response};
 
 static const uint8_t program_pps_source_control[] = {
@@ -783,6 +815,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_pps_source_control),
+    0,
     program_pps_source_control};
 
 static bool asked_pps_source_control_1(const void *value) {
@@ -809,6 +842,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_3dm_pps_source_control_response),
+    0,
     program_pps_source_control_response};
 
 static const uint8_t program_get_event_support[] = {
@@ -821,6 +855,7 @@ const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
                                                           MIP_COMMAND,
                                                           1,
                                                           sizeof(struct mip_3dm_get_event_support),
+                                                          0,
                                                           program_get_event_support};
 
 static const struct mip_response responses_get_event_support[] = {
@@ -848,6 +883,7 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_get_event_support_response),
+    0,
     program_get_event_support_response};
 
 static const uint8_t program_event_control[] = {
@@ -860,7 +896,7 @@ static const uint8_t program_event_control[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B, MIP_COMMAND, 0, sizeof(struct mip_3dm_event_control), program_event_control};
+    0x0C, 0x2B, MIP_COMMAND, 0, sizeof(struct mip_3dm_event_control), 0, program_event_control};
 
 static bool asked_event_control_1(const void *value) {
     const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
@@ -886,6 +922,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_event_control_response),
+    0,
     program_event_control_response};
 
 static const uint8_t program_get_event_trigger_status[] = {
@@ -902,6 +939,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_get_event_trigger_status),
+    0,
     program_get_event_trigger_status};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
@@ -929,6 +967,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
+    0,
     program_get_event_trigger_status_response};
 
 static const uint8_t program_get_event_action_status[] = {
@@ -945,6 +984,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_get_event_action_status),
+    0,
     program_get_event_action_status};
 
 static const struct mip_response responses_get_event_action_status[] = {
@@ -972,6 +1012,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_get_event_action_status_response),
+    0,
     program_get_event_action_status_response};
 
 static const uint8_t program_event_trigger_config[] = {
@@ -1011,6 +1052,7 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_event_trigger_config),
+    0,
     program_event_trigger_config};
 
 static bool asked_event_trigger_config_1(const void *value) {
@@ -1062,6 +1104,7 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_event_trigger_config_response),
+    0,
     program_event_trigger_config_response};
 
 static const uint8_t program_event_action_config[] = {
@@ -1094,6 +1137,7 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_event_action_config),
+    0,
     program_event_action_config};
 
 static bool asked_event_action_config_1(const void *value) {
@@ -1137,6 +1181,7 @@ const struct mip_codec mip_3dm_event_action_config_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_event_action_config_response),
+    0,
     program_event_action_config_response};
 
 static const uint8_t program_device_settings[] = {
@@ -1145,7 +1190,7 @@ static const uint8_t program_device_settings[] = {
 };
 
 const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), program_device_settings};
+    0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), 0, program_device_settings};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
                                                             NULL, 2000};
@@ -1167,6 +1212,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler),
+    0,
     program_sensor_to_vehicle_euler};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
@@ -1194,6 +1240,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
+    0,
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
@@ -1209,6 +1256,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
+    0,
     program_sensor_to_vehicle_quaternion};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
@@ -1236,6 +1284,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
     MIP_RESPONSE,
     16,
     sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
+    0,
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
@@ -1251,6 +1300,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+    0,
     program_sensor_to_vehicle_dcm};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
@@ -1278,6 +1328,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     MIP_RESPONSE,
     36,
     sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
+    0,
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_accel_bias[] = {
@@ -1288,7 +1339,7 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37, MIP_COMMAND, 0, sizeof(struct mip_3dm_accel_bias), program_accel_bias};
+    0x0C, 0x37, MIP_COMMAND, 0, sizeof(struct mip_3dm_accel_bias), 0, program_accel_bias};
 
 static bool silent_accel_bias(const void *value) {
     const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
@@ -1319,6 +1370,7 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_3dm_accel_bias_response),
+    0,
     program_accel_bias_response};
 
 static const uint8_t program_gyro_bias[] = {
@@ -1329,7 +1381,7 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38, MIP_COMMAND, 0, sizeof(struct mip_3dm_gyro_bias), program_gyro_bias};
+    0x0C, 0x38, MIP_COMMAND, 0, sizeof(struct mip_3dm_gyro_bias), 0, program_gyro_bias};
 
 static bool silent_gyro_bias(const void *value) {
     const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
@@ -1360,6 +1412,7 @@ const struct mip_codec mip_3dm_gyro_bias_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_3dm_gyro_bias_response),
+    0,
     program_gyro_bias_response};
 
 static const uint8_t program_capture_gyro_bias[] = {
@@ -1372,6 +1425,7 @@ const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
                                                           MIP_COMMAND,
                                                           2,
                                                           sizeof(struct mip_3dm_capture_gyro_bias),
+                                                          0,
                                                           program_capture_gyro_bias};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
@@ -1395,6 +1449,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
+    0,
     program_mag_hard_iron_offset};
 
 static bool silent_mag_hard_iron_offset(const void *value) {
@@ -1429,6 +1484,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_3dm_mag_hard_iron_offset_response),
+    0,
     program_mag_hard_iron_offset_response};
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
@@ -1444,6 +1500,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
+    0,
     program_mag_soft_iron_matrix};
 
 static bool silent_mag_soft_iron_matrix(const void *value) {
@@ -1478,6 +1535,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     MIP_RESPONSE,
     36,
     sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
+    0,
     program_mag_soft_iron_matrix_response};
 
 static const uint8_t program_coning_sculling_enable[] = {
@@ -1493,6 +1551,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_coning_sculling_enable),
+    0,
     program_coning_sculling_enable};
 
 static bool asked_coning_sculling_enable_1(const void *value) {
@@ -1520,6 +1579,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_3dm_coning_sculling_enable_response),
+    0,
     program_coning_sculling_enable_response};
 
 static const uint8_t program_uart_baud_rate[] = {
@@ -1530,7 +1590,7 @@ static const uint8_t program_uart_baud_rate[] = {
 };
 
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C, 0x40, MIP_COMMAND, 0, sizeof(struct mip_3dm_uart_baud_rate), program_uart_baud_rate};
+    0x0C, 0x40, MIP_COMMAND, 0, sizeof(struct mip_3dm_uart_baud_rate), 0, program_uart_baud_rate};
 
 static bool asked_uart_baud_rate_1(const void *value) {
     const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
@@ -1556,6 +1616,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_3dm_uart_baud_rate_response),
+    0,
     program_uart_baud_rate_response};
 
 static const uint8_t program_gpio_config[] = {
@@ -1572,7 +1633,7 @@ static const uint8_t program_gpio_config[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_config), program_gpio_config};
+    0x0C, 0x41, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_config), 0, program_gpio_config};
 
 static bool asked_gpio_config_1(const void *value) {
     const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
@@ -1598,6 +1659,7 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_3dm_gpio_config_response),
+    0,
     program_gpio_config_response};
 
 static const uint8_t program_gpio_state[] = {
@@ -1610,7 +1672,7 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_state), program_gpio_state};
+    0x0C, 0x42, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_state), 0, program_gpio_state};
 
 static bool asked_gpio_state_1(const void *value) {
     const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
@@ -1636,6 +1698,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_gpio_state_response),
+    0,
     program_gpio_state_response};
 
 static const uint8_t program_odometer_config[] = {
@@ -1650,7 +1713,7 @@ static const uint8_t program_odometer_config[] = {
 };
 
 const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C, 0x43, MIP_COMMAND, 0, sizeof(struct mip_3dm_odometer_config), program_odometer_config};
+    0x0C, 0x43, MIP_COMMAND, 0, sizeof(struct mip_3dm_odometer_config), 0, program_odometer_config};
 
 static bool asked_odometer_config_1(const void *value) {
     const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
@@ -1677,6 +1740,7 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     MIP_RESPONSE,
     9,
     sizeof(struct mip_3dm_odometer_config_response),
+    0,
     program_odometer_config_response};
 
 static const uint8_t program_imu_low_pass_filter[] = {
@@ -1700,6 +1764,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_imu_low_pass_filter),
+    0,
     program_imu_low_pass_filter};
 
 static bool asked_imu_low_pass_filter_1(const void *value) {
@@ -1728,6 +1793,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     MIP_RESPONSE,
     6,
     sizeof(struct mip_3dm_imu_low_pass_filter_response),
+    0,
     program_imu_low_pass_filter_response};
 
 static const uint8_t program_complementary_filter[] = {
@@ -1749,6 +1815,7 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_3dm_complementary_filter),
+    0,
     program_complementary_filter};
 
 static bool asked_complementary_filter_1(const void *value) {
@@ -1777,6 +1844,7 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     MIP_RESPONSE,
     10,
     sizeof(struct mip_3dm_complementary_filter_response),
+    0,
     program_complementary_filter_response};
 
 static const uint8_t program_sensor_range[] = {
@@ -1789,7 +1857,7 @@ static const uint8_t program_sensor_range[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52, MIP_COMMAND, 0, sizeof(struct mip_3dm_sensor_range), program_sensor_range};
+    0x0C, 0x52, MIP_COMMAND, 0, sizeof(struct mip_3dm_sensor_range), 0, program_sensor_range};
 
 static bool asked_sensor_range_1(const void *value) {
     const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
@@ -1815,6 +1883,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_3dm_sensor_range_response),
+    0,
     program_sensor_range_response};
 
 static const uint8_t program_get_calibrated_sensor_ranges[] = {
@@ -1828,6 +1897,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     MIP_COMMAND,
     1,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+    0,
     program_get_calibrated_sensor_ranges};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
@@ -1856,6 +1926,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+    0,
     program_get_calibrated_sensor_ranges_response};
 
 static const uint8_t program_low_pass_filter[] = {
@@ -1874,7 +1945,7 @@ static const uint8_t program_low_pass_filter[] = {
 };
 
 const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C, 0x54, MIP_COMMAND, 0, sizeof(struct mip_3dm_low_pass_filter), program_low_pass_filter};
+    0x0C, 0x54, MIP_COMMAND, 0, sizeof(struct mip_3dm_low_pass_filter), 0, program_low_pass_filter};
 
 static bool asked_low_pass_filter_1(const void *value) {
     const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
@@ -1901,6 +1972,7 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     MIP_RESPONSE,
     8,
     sizeof(struct mip_3dm_low_pass_filter_response),
+    0,
     program_low_pass_filter_response};
 
 static const uint8_t program_device_status[] = {
@@ -1910,7 +1982,7 @@ static const uint8_t program_device_status[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, 0x64, MIP_COMMAND, 3, sizeof(struct mip_3dm_device_status), program_device_status};
+    0x0C, 0x64, MIP_COMMAND, 3, sizeof(struct mip_3dm_device_status), 0, program_device_status};
 
 static bool asked_device_status_1(const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
@@ -1953,6 +2025,7 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_basic_response),
+    0,
     program_device_status_basic_response};
 
 static const uint8_t program_device_status_basic_stateless_response[] = {
@@ -1969,6 +2042,7 @@ const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_basic_stateless_response),
+    0,
     program_device_status_basic_stateless_response};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
@@ -1989,6 +2063,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
+    0,
     program_device_status_diagnostic_response};
 
 static const uint8_t program_device_status_diagnostic_gnss_response[] = {
@@ -2013,6 +2088,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
+    0,
     program_device_status_diagnostic_gnss_response};
 
 static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
@@ -2045,6 +2121,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = 
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
+    0,
     program_device_status_diagnostic_gq4_45_response};
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
@@ -2076,6 +2153,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = 
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
+    0,
     program_device_status_diagnostic_rq1_45_response};
 
 static const uint8_t program_device_status_diagnostic_gx4_response[] = {
@@ -2095,6 +2173,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
+    0,
     program_device_status_diagnostic_gx4_response};
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
@@ -2119,4 +2198,5 @@ const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
+    0,
     program_device_status_diagnostic_imu_response};

@@ -295,7 +295,7 @@ struct mip_3dm_poll_imu_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. Refers to fields of Sensor data. */
+    /** Fields to send. Refers to fields of MIP_SENSOR_SET. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -325,7 +325,7 @@ static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_i
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of Sensor data.
+ * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
  */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
@@ -361,8 +361,8 @@ struct mip_3dm_poll_gnss_data {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
     uint8_t num_descriptors;
     /**
-     * Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
-     * of the reserved number and does not say how a poll uses it.
+     * Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a decimation in
+     * place of the reserved number and does not say how a poll uses it.
      */
     struct mip_3dm_poll_entry descriptors[83];
 };
@@ -393,8 +393,8 @@ static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
- * - descriptors: Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation
- *   in place of the reserved number and does not say how a poll uses it.
+ * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
+ *   decimation in place of the reserved number and does not say how a poll uses it.
  */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
@@ -429,7 +429,7 @@ struct mip_3dm_poll_filter_data {
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields to send. Refers to fields of Filter data. */
+    /** Fields to send. Refers to fields of MIP_FILTER_DATA_SET. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -459,7 +459,7 @@ static inline mip_error mip_3dm_poll_filter_data_encode(
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of Filter data.
+ * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
  */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
@@ -761,7 +761,7 @@ struct mip_3dm_imu_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of Sensor data. Required for write. */
+    /** Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -790,7 +790,7 @@ static inline mip_error mip_3dm_imu_message_format_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of Sensor data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
  */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
@@ -842,7 +842,7 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
 struct mip_3dm_imu_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of Sensor data. */
+    /** Fields and decimations. Refers to fields of MIP_SENSOR_SET. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -894,7 +894,7 @@ struct mip_3dm_gnss_message_format {
      * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
      */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of GNSS data. Required for write. */
+    /** Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -924,7 +924,7 @@ static inline mip_error mip_3dm_gnss_message_format_encode(
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
  *   Required for write.
- * - descriptors: Fields and decimations. Refers to fields of GNSS data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
  */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
@@ -977,7 +977,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
 struct mip_3dm_gnss_message_format_response {
     /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of GNSS data. */
+    /** Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -1030,7 +1030,7 @@ struct mip_3dm_filter_message_format {
     uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of Filter data. Required for write. */
+    /** Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -1059,7 +1059,8 @@ static inline mip_error mip_3dm_filter_message_format_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of Filter data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
+ *   write.
  */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
@@ -1111,7 +1112,7 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
 struct mip_3dm_filter_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
-    /** Fields and decimations. Refers to fields of Filter data. */
+    /** Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. */
     struct mip_descriptor_rate descriptors[84];
 };
 
@@ -5968,7 +5969,7 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
      * 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
      * rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
      */
@@ -6014,7 +6015,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  * - enable: Whether the quantity is filtered. Default: true. Required for write.
@@ -6038,7 +6039,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
  * Return the current setting in a response. Fills the structure and returns its address.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -6053,7 +6054,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -6068,7 +6069,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
  * Load the saved setting. Fills the structure and returns its address.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -6083,7 +6084,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
  * Load the factory default setting. Fills the structure and returns its address.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -6107,7 +6108,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
 struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data.
+     * magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */

@@ -34,7 +34,7 @@ static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of Sensor data.
+ * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
  */
 static inline struct mip_result
 mip_call_3dm_poll_imu_data(struct mip_device *device, mip_bool suppress_ack,
@@ -73,8 +73,8 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
- * - descriptors: Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation
- *   in place of the reserved number and does not say how a poll uses it.
+ * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
+ *   decimation in place of the reserved number and does not say how a poll uses it.
  */
 static inline struct mip_result mip_call_3dm_poll_gnss_data(
     struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
@@ -114,7 +114,7 @@ static inline mip_error mip_send_3dm_poll_filter_data(
  *
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors.
- * - descriptors: Fields to send. Refers to fields of Filter data.
+ * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
  */
 static inline struct mip_result mip_call_3dm_poll_filter_data(
     struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
@@ -234,7 +234,7 @@ static inline mip_error mip_send_3dm_imu_message_format(
  * IMU Message Format: write. Apply the new setting. See mip_device_call.
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of Sensor data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
  */
 static inline struct mip_result
 mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_descriptors,
@@ -308,7 +308,7 @@ static inline mip_error mip_send_3dm_gnss_message_format(
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
  *   Required for write.
- * - descriptors: Fields and decimations. Refers to fields of GNSS data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
  */
 static inline struct mip_result
 mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_descriptors,
@@ -383,7 +383,8 @@ static inline mip_error mip_send_3dm_filter_message_format(
  * Estimation Filter Message Format: write. Apply the new setting. See mip_device_call.
  *
  * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
- * - descriptors: Fields and decimations. Refers to fields of Filter data. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
+ *   write.
  */
 static inline struct mip_result
 mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_descriptors,
@@ -2756,7 +2757,7 @@ static inline mip_error mip_send_3dm_imu_low_pass_filter(
  * Advanced Low-Pass Filter Settings: write. Apply the new setting. See mip_device_call.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  * - enable: Whether the quantity is filtered. Default: true. Required for write.
@@ -2782,7 +2783,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
  * mip_device_call.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -2800,7 +2801,7 @@ mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_
  * mip_device_call.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -2816,7 +2817,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip
  * Advanced Low-Pass Filter Settings: load. Load the saved setting. See mip_device_call.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */
@@ -2833,7 +2834,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip
  * mip_device_call.
  *
  * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
- *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of Sensor data. On the
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
  *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
  *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
  */

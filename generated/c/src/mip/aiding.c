@@ -25,7 +25,7 @@ static const uint8_t program_frame_config[] = {
 };
 
 const struct mip_codec mip_aiding_frame_config_codec = {
-    0x13, 0x01, MIP_COMMAND, 0, sizeof(struct mip_aiding_frame_config), program_frame_config};
+    0x13, 0x01, MIP_COMMAND, 0, sizeof(struct mip_aiding_frame_config), 0, program_frame_config};
 
 static bool asked_frame_config_1(const void *value) {
     const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
@@ -59,6 +59,7 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_aiding_frame_config_response),
+    0,
     program_frame_config_response};
 
 static const uint8_t program_echo_control[] = {
@@ -69,7 +70,7 @@ static const uint8_t program_echo_control[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13, 0x1F, MIP_COMMAND, 0, sizeof(struct mip_aiding_echo_control), program_echo_control};
+    0x13, 0x1F, MIP_COMMAND, 0, sizeof(struct mip_aiding_echo_control), 0, program_echo_control};
 
 static bool asked_echo_control_1(const void *value) {
     const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
@@ -95,6 +96,7 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_aiding_echo_control_response),
+    0,
     program_echo_control_response};
 
 static const uint8_t program_ecef_position[] = {
@@ -108,7 +110,7 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13, 0x21, MIP_COMMAND, 49, sizeof(struct mip_aiding_ecef_position), program_ecef_position};
+    0x13, 0x21, MIP_COMMAND, 49, sizeof(struct mip_aiding_ecef_position), 0, program_ecef_position};
 
 const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec, NULL,
                                                              NULL, 0};
@@ -124,7 +126,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13, 0x22, MIP_COMMAND, 49, sizeof(struct mip_aiding_llh_position), program_llh_position};
+    0x13, 0x22, MIP_COMMAND, 49, sizeof(struct mip_aiding_llh_position), 0, program_llh_position};
 
 const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec, NULL,
                                                             NULL, 0};
@@ -144,6 +146,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     MIP_COMMAND,
     21,
     sizeof(struct mip_aiding_height_above_ellipsoid),
+    0,
     program_height_above_ellipsoid};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
@@ -159,7 +162,7 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13, 0x28, MIP_COMMAND, 37, sizeof(struct mip_aiding_ecef_velocity), program_ecef_velocity};
+    0x13, 0x28, MIP_COMMAND, 37, sizeof(struct mip_aiding_ecef_velocity), 0, program_ecef_velocity};
 
 const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec, NULL,
                                                              NULL, 0};
@@ -174,7 +177,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13, 0x29, MIP_COMMAND, 37, sizeof(struct mip_aiding_ned_velocity), program_ned_velocity};
+    0x13, 0x29, MIP_COMMAND, 37, sizeof(struct mip_aiding_ned_velocity), 0, program_ned_velocity};
 
 const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec, NULL,
                                                             NULL, 0};
@@ -194,6 +197,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     MIP_COMMAND,
     37,
     sizeof(struct mip_aiding_body_frame_velocity),
+    0,
     program_body_frame_velocity};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
@@ -209,7 +213,7 @@ static const uint8_t program_true_heading[] = {
 };
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13, 0x31, MIP_COMMAND, 21, sizeof(struct mip_aiding_true_heading), program_true_heading};
+    0x13, 0x31, MIP_COMMAND, 21, sizeof(struct mip_aiding_true_heading), 0, program_true_heading};
 
 const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec, NULL,
                                                             NULL, 0};
@@ -223,8 +227,13 @@ static const uint8_t program_magnetic_field[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_aiding_magnetic_field_codec = {
-    0x13, 0x32, MIP_COMMAND, 37, sizeof(struct mip_aiding_magnetic_field), program_magnetic_field};
+const struct mip_codec mip_aiding_magnetic_field_codec = {0x13,
+                                                          0x32,
+                                                          MIP_COMMAND,
+                                                          37,
+                                                          sizeof(struct mip_aiding_magnetic_field),
+                                                          0,
+                                                          program_magnetic_field};
 
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
                                                               NULL, NULL, 0};
@@ -239,6 +248,6 @@ static const uint8_t program_pressure[] = {
 };
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), program_pressure};
+    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), 0, program_pressure};
 
 const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec, NULL, NULL, 0};

@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), 0, program_ping};
 
 const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, NULL, NULL, 0};
 
@@ -17,7 +17,7 @@ static const uint8_t program_set_idle[] = {
 };
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), program_set_idle};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), 0, program_set_idle};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec, NULL, NULL, 0};
 
@@ -25,8 +25,13 @@ static const uint8_t program_get_device_info[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_base_get_device_info_codec = {
-    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_base_get_device_info), program_get_device_info};
+const struct mip_codec mip_base_get_device_info_codec = {0x01,
+                                                         0x03,
+                                                         MIP_COMMAND,
+                                                         0,
+                                                         sizeof(struct mip_base_get_device_info),
+                                                         0,
+                                                         program_get_device_info};
 
 static const struct mip_response responses_get_device_info[] = {
     {&mip_base_get_device_info_response_codec, NULL},
@@ -52,6 +57,7 @@ const struct mip_codec mip_base_get_device_info_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_base_get_device_info_response),
+    0,
     program_get_device_info_response};
 
 static const uint8_t program_get_device_descriptors[] = {
@@ -64,6 +70,7 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_base_get_device_descriptors),
+    0,
     program_get_device_descriptors};
 
 static const struct mip_response responses_get_device_descriptors[] = {
@@ -86,6 +93,7 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_base_get_device_descriptors_response),
+    0,
     program_get_device_descriptors_response};
 
 static const uint8_t program_built_in_test[] = {
@@ -93,7 +101,7 @@ static const uint8_t program_built_in_test[] = {
 };
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_base_built_in_test), program_built_in_test};
+    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_base_built_in_test), 0, program_built_in_test};
 
 static const struct mip_response responses_built_in_test[] = {
     {&mip_base_built_in_test_response_codec, NULL},
@@ -114,6 +122,7 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_base_built_in_test_response),
+    0,
     program_built_in_test_response};
 
 static const uint8_t program_resume[] = {
@@ -121,7 +130,7 @@ static const uint8_t program_resume[] = {
 };
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), program_resume};
+    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), 0, program_resume};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec, NULL, NULL, 0};
 
@@ -135,6 +144,7 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_base_get_extended_descriptors),
+    0,
     program_get_extended_descriptors};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
@@ -157,6 +167,7 @@ const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_base_get_extended_descriptors_response),
+    0,
     program_get_extended_descriptors_response};
 
 static const uint8_t program_continuous_built_in_test[] = {
@@ -169,6 +180,7 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_base_continuous_built_in_test),
+    0,
     program_continuous_built_in_test};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
@@ -190,6 +202,7 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     MIP_RESPONSE,
     16,
     sizeof(struct mip_base_continuous_built_in_test_response),
+    0,
     program_continuous_built_in_test_response};
 
 static const uint8_t program_comm_speed[] = {
@@ -202,7 +215,7 @@ static const uint8_t program_comm_speed[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_base_comm_speed), program_comm_speed};
+    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_base_comm_speed), 0, program_comm_speed};
 
 static bool asked_comm_speed_1(const void *value) {
     const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
@@ -229,6 +242,7 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_base_comm_speed_response),
+    0,
     program_comm_speed_response};
 
 static const uint8_t program_gps_time_update[] = {
@@ -240,8 +254,13 @@ static const uint8_t program_gps_time_update[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_base_gps_time_update_codec = {
-    0x01, 0x72, MIP_COMMAND, 0, sizeof(struct mip_base_gps_time_update), program_gps_time_update};
+const struct mip_codec mip_base_gps_time_update_codec = {0x01,
+                                                         0x72,
+                                                         MIP_COMMAND,
+                                                         0,
+                                                         sizeof(struct mip_base_gps_time_update),
+                                                         0,
+                                                         program_gps_time_update};
 
 static bool silent_gps_time_update(const void *value) {
     const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
@@ -278,6 +297,7 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_base_gps_time_update_week_number_response),
+    0,
     program_gps_time_update_week_number_response};
 
 static const uint8_t program_gps_time_update_tow_response[] = {
@@ -291,6 +311,7 @@ const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_base_gps_time_update_tow_response),
+    0,
     program_gps_time_update_tow_response};
 
 static const uint8_t program_soft_reset[] = {
@@ -298,6 +319,6 @@ static const uint8_t program_soft_reset[] = {
 };
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), program_soft_reset};
+    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), 0, program_soft_reset};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec, NULL, NULL, 0};

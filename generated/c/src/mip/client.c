@@ -147,8 +147,8 @@ static struct mip_request *find(const struct mip_client *client, uint8_t set,
                                 const struct mip_field *behind, uint8_t *state) {
     struct mip_request *left_alone = NULL;
     for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        if (r->command->codec->descriptor_set != set ||
-            r->command->codec->descriptor != acknowledge->command) {
+        if (r->command->codec->descriptor != acknowledge->command ||
+            !mip_codec_belongs(r->command->codec, set)) {
             continue;
         }
         if (acknowledge->code != 0) {

@@ -90,6 +90,16 @@ static void write_all(uint8_t *wire, const uint8_t *program, const uint8_t *valu
     }
 }
 
+bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
+    const uint8_t *set = codec->program;
+    size_t left = codec->more_sets;
+    bool found = mip_set_has(descriptor_set, codec->descriptor_set);
+    for (; !found && left > 0; left--) {
+        found = *--set == descriptor_set;
+    }
+    return found;
+}
+
 bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field) {
     const uint8_t *p = codec->program;
     if (p[0] != MIP_STEP_LAYOUT) {
@@ -107,10 +117,17 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
     return true;
 }
 
+bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
+    return field->descriptor == codec->descriptor &&
+           mip_codec_belongs(codec, field->descriptor_set) && mip_codec_matches(codec, field);
+}
+
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor,
-                                      QUICK ? codec->numbers : 0);
+    mip_error error = mip_codec_belongs(codec, field->descriptor_set)
+                          ? mip_field_check(field, field->descriptor_set, codec->descriptor,
+                                            QUICK ? codec->numbers : 0)
+                          : MIP_ERROR_SET;
     if (QUICK && codec->numbers > 0 && error == MIP_OK) {
         if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
             memset(value, 0, codec->size);
@@ -142,7 +159,7 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
     if (start + MIP_CHECKSUM_SIZE > builder->capacity) {
         return MIP_ERROR_LENGTH;
     }
-    if (!mip_set_has(builder->buffer[2], codec->descriptor_set)) {
+    if (!mip_codec_belongs(codec, builder->buffer[2])) {
         return MIP_ERROR_SET;
     }
     if (!QUICK || size == 0) {
@@ -154,7 +171,7 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
         }
     }
     const mip_error error =
-        mip_builder_reserve(builder, codec->descriptor_set, codec->descriptor, size, &data);
+        mip_builder_reserve(builder, builder->buffer[2], codec->descriptor, size, &data);
     if (QUICK && error == MIP_OK && codec->numbers > 0) {
         write_all(data, codec->program, (const uint8_t *)value);
     }

@@ -11,7 +11,7 @@ mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet 
     if (size < 2 || bytes[0] != MIP_SYNC_1 || bytes[1] != MIP_SYNC_2) {
         return MIP_ERROR_SYNC;
     }
-    if (size < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE || bytes[2] == 0 ||
+    if (size < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE || !mip_set_valid(bytes[2]) ||
         size != (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
         return MIP_ERROR_LENGTH;
     }
@@ -30,11 +30,11 @@ mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet 
 mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
                           size_t size) {
     uint8_t *to;
-    const uint8_t set = builder->length > 0 ? builder->buffer[2] : 0;
     if (size > MIP_MAX_FIELD_DATA) {
         return MIP_ERROR_LENGTH;
     }
-    const mip_error error = mip_builder_reserve(builder, set, descriptor, size, &to);
+    const mip_error error =
+        mip_builder_reserve(builder, mip_builder_set(builder), descriptor, size, &to);
     if (error == MIP_OK && size > 0) {
         memmove(to, data, size);
     }

@@ -122,11 +122,17 @@ struct mip_walk {
     mip_error error;
 };
 
+/** May a packet have this descriptor set? Not 0 and 0xFF: they stand for all sets of commands, and
+ * of data, in tables. */
+static inline bool mip_set_valid(uint8_t descriptor_set) {
+    return descriptor_set != 0 && descriptor_set != 0xFF;
+}
+
 /** The checksum of some bytes: its first byte is the high one. */
 MIP_API uint16_t mip_checksum(const uint8_t *bytes, size_t size);
 
-/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. One of set 0xFF,
- * which no builder makes, is a packet, too, as it is for the parser. */
+/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. The parser and the
+ * builder have the same rules: no packet has descriptor set 0 or 0xFF. */
 MIP_API mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet);
 
 /** Begins a walk through the fields of a packet. */
@@ -162,9 +168,14 @@ static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field)
     return true;
 }
 
+/** Descriptor set and descriptor of a field as one constant. */
+#define MIP_KEY(descriptor_set, descriptor) ((uint16_t)((descriptor_set) * 256U + (descriptor)))
+
 /**
  * What a field is, as one number: `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`.
- * Shared fields have the same key in every data set, the acknowledge has it in every command set.
+ * The constant of a field that occurs in several sets takes the set, so that each is a case of its
+ * own: `case MIP_GNSS_DATA_...(MIP_GNSS_2_SET):`. Shared fields have the same key in every data
+ * set, the acknowledge has it in every command set.
  */
 static inline uint16_t mip_field_key(const struct mip_field *field) {
     uint32_t set = field->descriptor_set;
@@ -188,14 +199,14 @@ struct mip_builder {
 
 /**
  * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
- * the descriptor set is 0 or 0xFF, of which devices know no packets; then nothing can be added.
+ * the descriptor set is 0 or 0xFF, which no packet has; then nothing can be added.
  */
 static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer,
                                           size_t capacity, uint8_t descriptor_set) {
     builder->buffer = buffer;
     builder->capacity = 0;
     builder->length = 0;
-    if (descriptor_set == 0 || descriptor_set == 0xFF) {
+    if (!mip_set_valid(descriptor_set)) {
         return MIP_ERROR_SET;
     }
     if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
@@ -208,6 +219,11 @@ static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *
     builder->capacity = capacity < MIP_MAX_PACKET ? capacity : MIP_MAX_PACKET;
     builder->length = MIP_HEADER_SIZE;
     return MIP_OK;
+}
+
+/** Descriptor set of the packet; 0 if none could be begun. */
+static inline uint8_t mip_builder_set(const struct mip_builder *builder) {
+    return builder->length > 0 ? builder->buffer[2] : 0;
 }
 
 /** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
@@ -307,7 +323,8 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 
 /** The wire format of a type of field. */
 struct mip_codec {
-    /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets. */
+    /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets; the first
+     * of several: mip_codec_belongs knows them all. */
     uint8_t descriptor_set;
     /** Descriptor of the field. */
     uint8_t descriptor;
@@ -317,12 +334,21 @@ struct mip_codec {
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
+    /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
+    uint8_t more_sets;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
 };
 
+/** Do packets of this descriptor set contain fields of this type? */
+MIP_API bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set);
+
 /** Does the data of a field have this layout of its descriptor, as far as it reaches? */
 MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
+
+/** Is it a field of this type, in any of the descriptor sets in which the type occurs? In which one
+ * it is, its `descriptor_set` says. */
+MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec);
 
 /**
  * Decodes a field of any type. On an error `value` is zeroed. `trailing` may be NULL; it receives

@@ -26,9 +26,9 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port,
 
 /** Is a handler for this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
-    return handler->field == MIP_ANY_FIELD ||
-           ((handler->field & 0xFFU) == field->descriptor &&
-            mip_set_has(field->descriptor_set, (uint8_t)(handler->field >> 8)));
+    return (handler->descriptor_set == MIP_ANY_SET ||
+            handler->descriptor_set == field->descriptor_set) &&
+           (handler->type == MIP_ANY_FIELD || mip_field_is(field, handler->type));
 }
 
 /** Gives the answers in a packet to the client, and the other fields to the handlers. */

@@ -43,16 +43,20 @@ struct mip_port {
     void *user;
 };
 
-/** For `field` of a handler: every field without an earlier entry. */
-#define MIP_ANY_FIELD 0
+/** For `type` of a handler: every field without an earlier entry. */
+#define MIP_ANY_FIELD NULL
+/** For `descriptor_set` of a handler: every set in which the type occurs. */
+#define MIP_ANY_SET 0
 
 /** What to do with a received field. */
 struct mip_handler {
-    /** Which field: its constant, such as MIP_SENSOR_SCALED_ACCEL. A field that all data sets
-     * share is handled in every set. */
-    uint16_t field;
+    /** Which type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
+    const struct mip_codec *type;
+    /** In which descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
+    uint8_t descriptor_set;
     /**
-     * Is called with it; NULL to ignore it. `arrived` is the time, by the clock of the port, when
+     * Is called with it; NULL to ignore it. The `descriptor_set` of the field says in which set it
+     * came, if the type occurs in several. `arrived` is the time, by the clock of the port, when
      * the last bytes of its packet had been read. The data of the field is valid until it returns.
      * It must not wait: the answer to a command may be next. It cannot call a command of this
      * device, which would return MIP_BUSY, nor poll the device.

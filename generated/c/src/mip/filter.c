@@ -8,7 +8,7 @@ static const uint8_t program_reset[] = {
 };
 
 const struct mip_codec mip_filter_reset_codec = {
-    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), program_reset};
+    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), 0, program_reset};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec, NULL, NULL, 0};
 
@@ -23,6 +23,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     MIP_COMMAND,
     12,
     sizeof(struct mip_filter_set_initial_attitude),
+    0,
     program_set_initial_attitude};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
@@ -39,6 +40,7 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     MIP_COMMAND,
     4,
     sizeof(struct mip_filter_set_initial_heading),
+    0,
     program_set_initial_heading};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
@@ -49,7 +51,7 @@ static const uint8_t program_run[] = {
 };
 
 const struct mip_codec mip_filter_run_codec = {
-    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), program_run};
+    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), 0, program_run};
 
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, NULL, NULL, 0};
 
@@ -66,6 +68,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
+    0,
     program_vehicle_dynamics_mode};
 
 static bool asked_vehicle_dynamics_mode_1(const void *value) {
@@ -93,6 +96,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+    0,
     program_vehicle_dynamics_mode_response};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
@@ -112,6 +116,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_euler),
+    0,
     program_sensor_to_vehicle_euler};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
@@ -139,6 +144,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
+    0,
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
@@ -154,6 +160,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
+    0,
     program_sensor_to_vehicle_offset};
 
 static bool asked_sensor_to_vehicle_offset_1(const void *value) {
@@ -181,6 +188,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+    0,
     program_sensor_to_vehicle_offset_response};
 
 static const uint8_t program_antenna_offset[] = {
@@ -190,8 +198,13 @@ static const uint8_t program_antenna_offset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_antenna_offset_codec = {
-    0x0D, 0x13, MIP_COMMAND, 0, sizeof(struct mip_filter_antenna_offset), program_antenna_offset};
+const struct mip_codec mip_filter_antenna_offset_codec = {0x0D,
+                                                          0x13,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_filter_antenna_offset),
+                                                          0,
+                                                          program_antenna_offset};
 
 static bool asked_antenna_offset_1(const void *value) {
     const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
@@ -217,6 +230,7 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_antenna_offset_response),
+    0,
     program_antenna_offset_response};
 
 static const uint8_t program_estimation_control[] = {
@@ -232,6 +246,7 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_estimation_control),
+    0,
     program_estimation_control};
 
 static bool asked_estimation_control_1(const void *value) {
@@ -259,6 +274,7 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_filter_estimation_control_response),
+    0,
     program_estimation_control_response};
 
 static const uint8_t program_gnss_source[] = {
@@ -269,7 +285,7 @@ static const uint8_t program_gnss_source[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15, MIP_COMMAND, 0, sizeof(struct mip_filter_gnss_source), program_gnss_source};
+    0x0D, 0x15, MIP_COMMAND, 0, sizeof(struct mip_filter_gnss_source), 0, program_gnss_source};
 
 static bool asked_gnss_source_1(const void *value) {
     const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
@@ -295,6 +311,7 @@ const struct mip_codec mip_filter_gnss_source_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_gnss_source_response),
+    0,
     program_gnss_source_response};
 
 static const uint8_t program_external_gnss_update[] = {
@@ -311,6 +328,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     MIP_COMMAND,
     70,
     sizeof(struct mip_filter_external_gnss_update),
+    0,
     program_external_gnss_update};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
@@ -328,6 +346,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     MIP_COMMAND,
     9,
     sizeof(struct mip_filter_external_heading_update),
+    0,
     program_external_heading_update};
 
 const struct mip_command mip_filter_external_heading_update_command = {
@@ -340,8 +359,13 @@ static const uint8_t program_heading_source[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_heading_source_codec = {
-    0x0D, 0x18, MIP_COMMAND, 0, sizeof(struct mip_filter_heading_source), program_heading_source};
+const struct mip_codec mip_filter_heading_source_codec = {0x0D,
+                                                          0x18,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_filter_heading_source),
+                                                          0,
+                                                          program_heading_source};
 
 static bool asked_heading_source_1(const void *value) {
     const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
@@ -367,6 +391,7 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_heading_source_response),
+    0,
     program_heading_source_response};
 
 static const uint8_t program_auto_initialization_control[] = {
@@ -382,6 +407,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_auto_initialization_control),
+    0,
     program_auto_initialization_control};
 
 static bool asked_auto_initialization_control_1(const void *value) {
@@ -409,6 +435,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_auto_initialization_control_response),
+    0,
     program_auto_initialization_control_response};
 
 static const uint8_t program_accel_noise[] = {
@@ -419,7 +446,7 @@ static const uint8_t program_accel_noise[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A, MIP_COMMAND, 0, sizeof(struct mip_filter_accel_noise), program_accel_noise};
+    0x0D, 0x1A, MIP_COMMAND, 0, sizeof(struct mip_filter_accel_noise), 0, program_accel_noise};
 
 static bool asked_accel_noise_1(const void *value) {
     const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
@@ -445,6 +472,7 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_accel_noise_response),
+    0,
     program_accel_noise_response};
 
 static const uint8_t program_gyro_noise[] = {
@@ -455,7 +483,7 @@ static const uint8_t program_gyro_noise[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_noise), program_gyro_noise};
+    0x0D, 0x1B, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_noise), 0, program_gyro_noise};
 
 static bool asked_gyro_noise_1(const void *value) {
     const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
@@ -481,6 +509,7 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_gyro_noise_response),
+    0,
     program_gyro_noise_response};
 
 static const uint8_t program_accel_bias_model[] = {
@@ -498,6 +527,7 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_accel_bias_model),
+    0,
     program_accel_bias_model};
 
 static bool asked_accel_bias_model_1(const void *value) {
@@ -524,6 +554,7 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     MIP_RESPONSE,
     24,
     sizeof(struct mip_filter_accel_bias_model_response),
+    0,
     program_accel_bias_model_response};
 
 static const uint8_t program_gyro_bias_model[] = {
@@ -536,7 +567,13 @@ static const uint8_t program_gyro_bias_model[] = {
 };
 
 const struct mip_codec mip_filter_gyro_bias_model_codec = {
-    0x0D, 0x1D, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_bias_model), program_gyro_bias_model};
+    0x0D,
+    0x1D,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_gyro_bias_model),
+    0,
+    program_gyro_bias_model};
 
 static bool asked_gyro_bias_model_1(const void *value) {
     const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
@@ -562,6 +599,7 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     MIP_RESPONSE,
     24,
     sizeof(struct mip_filter_gyro_bias_model_response),
+    0,
     program_gyro_bias_model_response};
 
 static const uint8_t program_auto_zupt[] = {
@@ -574,7 +612,7 @@ static const uint8_t program_auto_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E, MIP_COMMAND, 0, sizeof(struct mip_filter_auto_zupt), program_auto_zupt};
+    0x0D, 0x1E, MIP_COMMAND, 0, sizeof(struct mip_filter_auto_zupt), 0, program_auto_zupt};
 
 static bool asked_auto_zupt_1(const void *value) {
     const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
@@ -601,6 +639,7 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_auto_zupt_response),
+    0,
     program_auto_zupt_response};
 
 static const uint8_t program_external_heading_update_with_time[] = {
@@ -617,6 +656,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     MIP_COMMAND,
     19,
     sizeof(struct mip_filter_external_heading_update_with_time),
+    0,
     program_external_heading_update_with_time};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
@@ -637,6 +677,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_auto_angular_zupt),
+    0,
     program_auto_angular_zupt};
 
 static bool asked_auto_angular_zupt_1(const void *value) {
@@ -665,6 +706,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_auto_angular_zupt_response),
+    0,
     program_auto_angular_zupt_response};
 
 static const uint8_t program_tare_orientation[] = {
@@ -680,6 +722,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_tare_orientation),
+    0,
     program_tare_orientation};
 
 static bool asked_tare_orientation_1(const void *value) {
@@ -706,14 +749,20 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_tare_orientation_response),
+    0,
     program_tare_orientation_response};
 
 static const uint8_t program_commanded_zupt[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_commanded_zupt_codec = {
-    0x0D, 0x22, MIP_COMMAND, 0, sizeof(struct mip_filter_commanded_zupt), program_commanded_zupt};
+const struct mip_codec mip_filter_commanded_zupt_codec = {0x0D,
+                                                          0x22,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_filter_commanded_zupt),
+                                                          0,
+                                                          program_commanded_zupt};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
                                                               NULL, NULL, 0};
@@ -728,6 +777,7 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_commanded_angular_zupt),
+    0,
     program_commanded_angular_zupt};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
@@ -752,6 +802,7 @@ const struct mip_codec mip_filter_reference_position_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_reference_position),
+    0,
     program_reference_position};
 
 static bool asked_reference_position_1(const void *value) {
@@ -780,6 +831,7 @@ const struct mip_codec mip_filter_reference_position_response_codec = {
     MIP_RESPONSE,
     25,
     sizeof(struct mip_filter_reference_position_response),
+    0,
     program_reference_position_response};
 
 static const uint8_t program_mag_capture_auto_calibration[] = {
@@ -793,6 +845,7 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     MIP_COMMAND,
     1,
     sizeof(struct mip_filter_mag_capture_auto_calibration),
+    0,
     program_mag_capture_auto_calibration};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
@@ -806,7 +859,7 @@ static const uint8_t program_gravity_noise[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28, MIP_COMMAND, 0, sizeof(struct mip_filter_gravity_noise), program_gravity_noise};
+    0x0D, 0x28, MIP_COMMAND, 0, sizeof(struct mip_filter_gravity_noise), 0, program_gravity_noise};
 
 static bool asked_gravity_noise_1(const void *value) {
     const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
@@ -832,6 +885,7 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_gravity_noise_response),
+    0,
     program_gravity_noise_response};
 
 static const uint8_t program_pressure_altitude_noise[] = {
@@ -847,6 +901,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_pressure_altitude_noise),
+    0,
     program_pressure_altitude_noise};
 
 static bool asked_pressure_altitude_noise_1(const void *value) {
@@ -874,6 +929,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
+    0,
     program_pressure_altitude_noise_response};
 
 static const uint8_t program_hard_iron_offset_noise[] = {
@@ -889,6 +945,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_hard_iron_offset_noise),
+    0,
     program_hard_iron_offset_noise};
 
 static bool asked_hard_iron_offset_noise_1(const void *value) {
@@ -916,6 +973,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
+    0,
     program_hard_iron_offset_noise_response};
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
@@ -931,6 +989,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
+    0,
     program_soft_iron_matrix_noise};
 
 static bool asked_soft_iron_matrix_noise_1(const void *value) {
@@ -958,6 +1017,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     MIP_RESPONSE,
     36,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+    0,
     program_soft_iron_matrix_noise_response};
 
 static const uint8_t program_enable_measurements[] = {
@@ -973,6 +1033,7 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_enable_measurements),
+    0,
     program_enable_measurements};
 
 static bool asked_enable_measurements_1(const void *value) {
@@ -1000,6 +1061,7 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     MIP_RESPONSE,
     2,
     sizeof(struct mip_filter_enable_measurements_response),
+    0,
     program_enable_measurements_response};
 
 static const uint8_t program_mag_noise[] = {
@@ -1010,7 +1072,7 @@ static const uint8_t program_mag_noise[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42, MIP_COMMAND, 0, sizeof(struct mip_filter_mag_noise), program_mag_noise};
+    0x0D, 0x42, MIP_COMMAND, 0, sizeof(struct mip_filter_mag_noise), 0, program_mag_noise};
 
 static bool asked_mag_noise_1(const void *value) {
     const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
@@ -1036,6 +1098,7 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     MIP_RESPONSE,
     12,
     sizeof(struct mip_filter_mag_noise_response),
+    0,
     program_mag_noise_response};
 
 static const uint8_t program_magnetic_declination_source[] = {
@@ -1053,6 +1116,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_magnetic_declination_source),
+    0,
     program_magnetic_declination_source};
 
 static bool asked_magnetic_declination_source_1(const void *value) {
@@ -1081,6 +1145,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_magnetic_declination_source_response),
+    0,
     program_magnetic_declination_source_response};
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
@@ -1108,6 +1173,7 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_accel_magnitude_adaptive),
+    0,
     program_accel_magnitude_adaptive};
 
 static bool asked_accel_magnitude_adaptive_1(const void *value) {
@@ -1137,6 +1203,7 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     MIP_RESPONSE,
     25,
     sizeof(struct mip_filter_accel_magnitude_adaptive_response),
+    0,
     program_accel_magnitude_adaptive_response};
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
@@ -1164,6 +1231,7 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_mag_magnitude_adaptive),
+    0,
     program_mag_magnitude_adaptive};
 
 static bool asked_mag_magnitude_adaptive_1(const void *value) {
@@ -1192,6 +1260,7 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     MIP_RESPONSE,
     25,
     sizeof(struct mip_filter_mag_magnitude_adaptive_response),
+    0,
     program_mag_magnitude_adaptive_response};
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
@@ -1215,6 +1284,7 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_mag_dip_angle_adaptive),
+    0,
     program_mag_dip_angle_adaptive};
 
 static bool asked_mag_dip_angle_adaptive_1(const void *value) {
@@ -1243,6 +1313,7 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     MIP_RESPONSE,
     17,
     sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
+    0,
     program_mag_dip_angle_adaptive_response};
 
 static const uint8_t program_altitude_aiding[] = {
@@ -1253,7 +1324,13 @@ static const uint8_t program_altitude_aiding[] = {
 };
 
 const struct mip_codec mip_filter_altitude_aiding_codec = {
-    0x0D, 0x47, MIP_COMMAND, 0, sizeof(struct mip_filter_altitude_aiding), program_altitude_aiding};
+    0x0D,
+    0x47,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_altitude_aiding),
+    0,
+    program_altitude_aiding};
 
 static bool asked_altitude_aiding_1(const void *value) {
     const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
@@ -1279,6 +1356,7 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_altitude_aiding_response),
+    0,
     program_altitude_aiding_response};
 
 static const uint8_t program_pitch_roll_aiding[] = {
@@ -1294,6 +1372,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_pitch_roll_aiding),
+    0,
     program_pitch_roll_aiding};
 
 static bool asked_pitch_roll_aiding_1(const void *value) {
@@ -1321,6 +1400,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_pitch_roll_aiding_response),
+    0,
     program_pitch_roll_aiding_response};
 
 static const uint8_t program_magnetic_inclination_source[] = {
@@ -1338,6 +1418,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_magnetic_inclination_source),
+    0,
     program_magnetic_inclination_source};
 
 static bool asked_magnetic_inclination_source_1(const void *value) {
@@ -1366,6 +1447,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_magnetic_inclination_source_response),
+    0,
     program_magnetic_inclination_source_response};
 
 static const uint8_t program_magnetic_magnitude_source[] = {
@@ -1383,6 +1465,7 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_magnetic_magnitude_source),
+    0,
     program_magnetic_magnitude_source};
 
 static bool asked_magnetic_magnitude_source_1(const void *value) {
@@ -1411,6 +1494,7 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
+    0,
     program_magnetic_magnitude_source_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
@@ -1426,6 +1510,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm),
+    0,
     program_sensor_to_vehicle_dcm};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
@@ -1453,6 +1538,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
     MIP_RESPONSE,
     36,
     sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
+    0,
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
@@ -1468,6 +1554,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
+    0,
     program_sensor_to_vehicle_quaternion};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
@@ -1496,6 +1583,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = 
     MIP_RESPONSE,
     16,
     sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
+    0,
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_aiding_measurement_enable[] = {
@@ -1513,6 +1601,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_aiding_measurement_enable),
+    0,
     program_aiding_measurement_enable};
 
 static bool asked_aiding_measurement_enable_1(const void *value) {
@@ -1541,6 +1630,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     MIP_RESPONSE,
     3,
     sizeof(struct mip_filter_aiding_measurement_enable_response),
+    0,
     program_aiding_measurement_enable_response};
 
 static const uint8_t program_kinematic_constraint[] = {
@@ -1560,6 +1650,7 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_kinematic_constraint),
+    0,
     program_kinematic_constraint};
 
 static bool asked_kinematic_constraint_1(const void *value) {
@@ -1587,6 +1678,7 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     MIP_RESPONSE,
     3,
     sizeof(struct mip_filter_kinematic_constraint_response),
+    0,
     program_kinematic_constraint_response};
 
 static const uint8_t program_initialization_config[] = {
@@ -1618,6 +1710,7 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_initialization_config),
+    0,
     program_initialization_config};
 
 static bool asked_initialization_config_1(const void *value) {
@@ -1648,6 +1741,7 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     MIP_RESPONSE,
     40,
     sizeof(struct mip_filter_initialization_config_response),
+    0,
     program_initialization_config_response};
 
 static const uint8_t program_adaptive_filter_options[] = {
@@ -1665,6 +1759,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_adaptive_filter_options),
+    0,
     program_adaptive_filter_options};
 
 static bool asked_adaptive_filter_options_1(const void *value) {
@@ -1693,6 +1788,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     MIP_RESPONSE,
     3,
     sizeof(struct mip_filter_adaptive_filter_options_response),
+    0,
     program_adaptive_filter_options_response};
 
 static const uint8_t program_multi_antenna_offset[] = {
@@ -1710,6 +1806,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_multi_antenna_offset),
+    0,
     program_multi_antenna_offset};
 
 static bool asked_multi_antenna_offset_1(const void *value) {
@@ -1738,6 +1835,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     MIP_RESPONSE,
     13,
     sizeof(struct mip_filter_multi_antenna_offset_response),
+    0,
     program_multi_antenna_offset_response};
 
 static const uint8_t program_relative_position_config[] = {
@@ -1757,6 +1855,7 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_relative_position_config),
+    0,
     program_relative_position_config};
 
 static bool asked_relative_position_config_1(const void *value) {
@@ -1786,6 +1885,7 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     MIP_RESPONSE,
     26,
     sizeof(struct mip_filter_relative_position_config_response),
+    0,
     program_relative_position_config_response};
 
 static const uint8_t program_reference_point_lever_arm[] = {
@@ -1803,6 +1903,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_reference_point_lever_arm),
+    0,
     program_reference_point_lever_arm};
 
 static bool asked_reference_point_lever_arm_1(const void *value) {
@@ -1831,6 +1932,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     MIP_RESPONSE,
     13,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
+    0,
     program_reference_point_lever_arm_response};
 
 static const uint8_t program_speed_measurement[] = {
@@ -1845,6 +1947,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     MIP_COMMAND,
     13,
     sizeof(struct mip_filter_speed_measurement),
+    0,
     program_speed_measurement};
 
 const struct mip_command mip_filter_speed_measurement_command = {
@@ -1860,7 +1963,13 @@ static const uint8_t program_speed_lever_arm[] = {
 };
 
 const struct mip_codec mip_filter_speed_lever_arm_codec = {
-    0x0D, 0x61, MIP_COMMAND, 0, sizeof(struct mip_filter_speed_lever_arm), program_speed_lever_arm};
+    0x0D,
+    0x61,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_speed_lever_arm),
+    0,
+    program_speed_lever_arm};
 
 static bool asked_speed_lever_arm_1(const void *value) {
     const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
@@ -1887,6 +1996,7 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     MIP_RESPONSE,
     13,
     sizeof(struct mip_filter_speed_lever_arm_response),
+    0,
     program_speed_lever_arm_response};
 
 static const uint8_t program_vertical_gyro_constraint[] = {
@@ -1902,6 +2012,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_vertical_gyro_constraint),
+    0,
     program_vertical_gyro_constraint};
 
 static bool asked_vertical_gyro_constraint_1(const void *value) {
@@ -1929,6 +2040,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_vertical_gyro_constraint_response),
+    0,
     program_vertical_gyro_constraint_response};
 
 static const uint8_t program_wheeled_vehicle_constraint[] = {
@@ -1944,6 +2056,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_wheeled_vehicle_constraint),
+    0,
     program_wheeled_vehicle_constraint};
 
 static bool asked_wheeled_vehicle_constraint_1(const void *value) {
@@ -1971,6 +2084,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
+    0,
     program_wheeled_vehicle_constraint_response};
 
 static const uint8_t program_gnss_antenna_calibration[] = {
@@ -1988,6 +2102,7 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_filter_gnss_antenna_calibration),
+    0,
     program_gnss_antenna_calibration};
 
 static bool asked_gnss_antenna_calibration_1(const void *value) {
@@ -2016,4 +2131,5 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
     MIP_RESPONSE,
     5,
     sizeof(struct mip_filter_gnss_antenna_calibration_response),
+    0,
     program_gnss_antenna_calibration_response};

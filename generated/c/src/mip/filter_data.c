@@ -9,7 +9,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82, 0x01, MIP_DATA, 26, sizeof(struct mip_filter_data_llh_position), program_llh_position};
+    0x82, 0x01, MIP_DATA, 26, sizeof(struct mip_filter_data_llh_position), 0, program_llh_position};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ned_velocity, north)),
@@ -18,7 +18,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_filter_data_ned_velocity_codec = {
-    0x82, 0x02, MIP_DATA, 14, sizeof(struct mip_filter_data_ned_velocity), program_ned_velocity};
+    0x82, 0x02, MIP_DATA, 14, sizeof(struct mip_filter_data_ned_velocity), 0, program_ned_velocity};
 
 static const uint8_t program_attitude_quaternion[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_attitude_quaternion, q)),
@@ -32,6 +32,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     MIP_DATA,
     18,
     sizeof(struct mip_filter_data_attitude_quaternion),
+    0,
     program_attitude_quaternion};
 
 static const uint8_t program_attitude_dcm[] = {
@@ -41,7 +42,7 @@ static const uint8_t program_attitude_dcm[] = {
 };
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82, 0x04, MIP_DATA, 38, sizeof(struct mip_filter_data_attitude_dcm), program_attitude_dcm};
+    0x82, 0x04, MIP_DATA, 38, sizeof(struct mip_filter_data_attitude_dcm), 0, program_attitude_dcm};
 
 static const uint8_t program_euler_angles[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_euler_angles, roll)),
@@ -50,7 +51,7 @@ static const uint8_t program_euler_angles[] = {
 };
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82, 0x05, MIP_DATA, 14, sizeof(struct mip_filter_data_euler_angles), program_euler_angles};
+    0x82, 0x05, MIP_DATA, 14, sizeof(struct mip_filter_data_euler_angles), 0, program_euler_angles};
 
 static const uint8_t program_gyro_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_bias, bias)),
@@ -59,7 +60,7 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82, 0x06, MIP_DATA, 14, sizeof(struct mip_filter_data_gyro_bias), program_gyro_bias};
+    0x82, 0x06, MIP_DATA, 14, sizeof(struct mip_filter_data_gyro_bias), 0, program_gyro_bias};
 
 static const uint8_t program_accel_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_bias, bias)),
@@ -68,7 +69,7 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82, 0x07, MIP_DATA, 14, sizeof(struct mip_filter_data_accel_bias), program_accel_bias};
+    0x82, 0x07, MIP_DATA, 14, sizeof(struct mip_filter_data_accel_bias), 0, program_accel_bias};
 
 static const uint8_t program_llh_position_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_llh_position_uncertainty, north)),
@@ -82,6 +83,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
+    0,
     program_llh_position_uncertainty};
 
 static const uint8_t program_ned_velocity_uncertainty[] = {
@@ -96,6 +98,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
+    0,
     program_ned_velocity_uncertainty};
 
 static const uint8_t program_euler_angles_uncertainty[] = {
@@ -110,6 +113,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
+    0,
     program_euler_angles_uncertainty};
 
 static const uint8_t program_gyro_bias_uncertainty[] = {
@@ -124,6 +128,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
+    0,
     program_gyro_bias_uncertainty};
 
 static const uint8_t program_accel_bias_uncertainty[] = {
@@ -138,6 +143,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
+    0,
     program_accel_bias_uncertainty};
 
 static const uint8_t program_linear_accel[] = {
@@ -147,7 +153,7 @@ static const uint8_t program_linear_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82, 0x0D, MIP_DATA, 14, sizeof(struct mip_filter_data_linear_accel), program_linear_accel};
+    0x82, 0x0D, MIP_DATA, 14, sizeof(struct mip_filter_data_linear_accel), 0, program_linear_accel};
 
 static const uint8_t program_comp_angular_rate[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_comp_angular_rate, gyro)),
@@ -161,6 +167,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_comp_angular_rate),
+    0,
     program_comp_angular_rate};
 
 static const uint8_t program_wgs84_gravity_magnitude[] = {
@@ -175,6 +182,7 @@ const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
     MIP_DATA,
     6,
     sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
+    0,
     program_wgs84_gravity_magnitude};
 
 static const uint8_t program_status[] = {
@@ -183,7 +191,7 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_filter_data_status_codec = {
-    0x82, 0x10, MIP_DATA, 6, sizeof(struct mip_filter_data_status), program_status};
+    0x82, 0x10, MIP_DATA, 6, sizeof(struct mip_filter_data_status), 0, program_status};
 
 static const uint8_t program_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_data_timestamp, tow)),
@@ -192,7 +200,7 @@ static const uint8_t program_timestamp[] = {
 };
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82, 0x11, MIP_DATA, 12, sizeof(struct mip_filter_data_timestamp), program_timestamp};
+    0x82, 0x11, MIP_DATA, 12, sizeof(struct mip_filter_data_timestamp), 0, program_timestamp};
 
 static const uint8_t program_quaternion_attitude_uncertainty[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_quaternion_attitude_uncertainty, q)),
@@ -206,6 +214,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     MIP_DATA,
     18,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
+    0,
     program_quaternion_attitude_uncertainty};
 
 static const uint8_t program_gravity_vector[] = {
@@ -220,6 +229,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_gravity_vector),
+    0,
     program_gravity_vector};
 
 static const uint8_t program_heading_update_state[] = {
@@ -234,6 +244,7 @@ const struct mip_codec mip_filter_data_heading_update_state_codec = {
     MIP_DATA,
     12,
     sizeof(struct mip_filter_data_heading_update_state),
+    0,
     program_heading_update_state};
 
 static const uint8_t program_magnetic_model[] = {
@@ -248,6 +259,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     MIP_DATA,
     22,
     sizeof(struct mip_filter_data_magnetic_model),
+    0,
     program_magnetic_model};
 
 static const uint8_t program_gyro_scale_factor[] = {
@@ -262,6 +274,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor),
+    0,
     program_gyro_scale_factor};
 
 static const uint8_t program_accel_scale_factor[] = {
@@ -276,6 +289,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_accel_scale_factor),
+    0,
     program_accel_scale_factor};
 
 static const uint8_t program_gyro_scale_factor_uncertainty[] = {
@@ -291,6 +305,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+    0,
     program_gyro_scale_factor_uncertainty};
 
 static const uint8_t program_accel_scale_factor_uncertainty[] = {
@@ -306,6 +321,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+    0,
     program_accel_scale_factor_uncertainty};
 
 static const uint8_t program_mag_bias[] = {
@@ -315,7 +331,7 @@ static const uint8_t program_mag_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_bias_codec = {
-    0x82, 0x1A, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_bias), program_mag_bias};
+    0x82, 0x1A, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_bias), 0, program_mag_bias};
 
 static const uint8_t program_mag_bias_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_bias_uncertainty, bias_uncertainty)),
@@ -329,6 +345,7 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
+    0,
     program_mag_bias_uncertainty};
 
 static const uint8_t program_comp_accel[] = {
@@ -338,7 +355,7 @@ static const uint8_t program_comp_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_comp_accel_codec = {
-    0x82, 0x1C, MIP_DATA, 14, sizeof(struct mip_filter_data_comp_accel), program_comp_accel};
+    0x82, 0x1C, MIP_DATA, 14, sizeof(struct mip_filter_data_comp_accel), 0, program_comp_accel};
 
 static const uint8_t program_standard_atmosphere[] = {
     MIP_32_BITS(5, MIP_AT(struct mip_filter_data_standard_atmosphere, geometric_altitude)),
@@ -352,6 +369,7 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     MIP_DATA,
     22,
     sizeof(struct mip_filter_data_standard_atmosphere),
+    0,
     program_standard_atmosphere};
 
 static const uint8_t program_pressure_altitude[] = {
@@ -366,6 +384,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     MIP_DATA,
     6,
     sizeof(struct mip_filter_data_pressure_altitude),
+    0,
     program_pressure_altitude};
 
 static const uint8_t program_density_altitude[] = {
@@ -380,6 +399,7 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     MIP_DATA,
     6,
     sizeof(struct mip_filter_data_density_altitude),
+    0,
     program_density_altitude};
 
 static const uint8_t program_mag_offset[] = {
@@ -389,7 +409,7 @@ static const uint8_t program_mag_offset[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_offset_codec = {
-    0x82, 0x25, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_offset), program_mag_offset};
+    0x82, 0x25, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_offset), 0, program_mag_offset};
 
 static const uint8_t program_mag_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_mag_matrix, soft_iron)),
@@ -398,7 +418,7 @@ static const uint8_t program_mag_matrix[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_matrix_codec = {
-    0x82, 0x26, MIP_DATA, 38, sizeof(struct mip_filter_data_mag_matrix), program_mag_matrix};
+    0x82, 0x26, MIP_DATA, 38, sizeof(struct mip_filter_data_mag_matrix), 0, program_mag_matrix};
 
 static const uint8_t program_mag_offset_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_offset_uncertainty, hard_iron_uncertainty)),
@@ -412,6 +432,7 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_mag_offset_uncertainty),
+    0,
     program_mag_offset_uncertainty};
 
 static const uint8_t program_mag_matrix_uncertainty[] = {
@@ -426,6 +447,7 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     MIP_DATA,
     38,
     sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+    0,
     program_mag_matrix_uncertainty};
 
 static const uint8_t program_mag_covariance_matrix[] = {
@@ -440,6 +462,7 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     MIP_DATA,
     38,
     sizeof(struct mip_filter_data_mag_covariance_matrix),
+    0,
     program_mag_covariance_matrix};
 
 static const uint8_t program_mag_residual_vector[] = {
@@ -454,6 +477,7 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_mag_residual_vector),
+    0,
     program_mag_residual_vector};
 
 static const uint8_t program_antenna_offset_correction[] = {
@@ -468,6 +492,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_antenna_offset_correction),
+    0,
     program_antenna_offset_correction};
 
 static const uint8_t program_antenna_offset_uncertainty[] = {
@@ -482,6 +507,7 @@ const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_antenna_offset_uncertainty),
+    0,
     program_antenna_offset_uncertainty};
 
 static const uint8_t program_clock_correction[] = {
@@ -497,6 +523,7 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     MIP_DATA,
     11,
     sizeof(struct mip_filter_data_clock_correction),
+    0,
     program_clock_correction};
 
 static const uint8_t program_clock_correction_uncertainty[] = {
@@ -512,6 +539,7 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     MIP_DATA,
     11,
     sizeof(struct mip_filter_data_clock_correction_uncertainty),
+    0,
     program_clock_correction_uncertainty};
 
 static const uint8_t program_multi_antenna_offset_correction[] = {
@@ -527,6 +555,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     MIP_DATA,
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
+    0,
     program_multi_antenna_offset_correction};
 
 static const uint8_t program_multi_antenna_offset_uncertainty[] = {
@@ -543,6 +572,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = 
     MIP_DATA,
     15,
     sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
+    0,
     program_multi_antenna_offset_uncertainty};
 
 static const uint8_t program_ecef_position_uncertainty[] = {
@@ -557,6 +587,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
+    0,
     program_ecef_position_uncertainty};
 
 static const uint8_t program_ecef_velocity_uncertainty[] = {
@@ -571,6 +602,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
+    0,
     program_ecef_velocity_uncertainty};
 
 static const uint8_t program_ecef_position[] = {
@@ -580,7 +612,13 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_position_codec = {
-    0x82, 0x40, MIP_DATA, 26, sizeof(struct mip_filter_data_ecef_position), program_ecef_position};
+    0x82,
+    0x40,
+    MIP_DATA,
+    26,
+    sizeof(struct mip_filter_data_ecef_position),
+    0,
+    program_ecef_position};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_velocity, velocity)),
@@ -589,7 +627,13 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_velocity_codec = {
-    0x82, 0x41, MIP_DATA, 14, sizeof(struct mip_filter_data_ecef_velocity), program_ecef_velocity};
+    0x82,
+    0x41,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_ecef_velocity),
+    0,
+    program_ecef_velocity};
 
 static const uint8_t program_ned_relative_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_filter_data_ned_relative_position, relative_position)),
@@ -603,6 +647,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     MIP_DATA,
     26,
     sizeof(struct mip_filter_data_ned_relative_position),
+    0,
     program_ned_relative_position};
 
 static const uint8_t program_gnss_position_aiding_status[] = {
@@ -619,6 +664,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     MIP_DATA,
     15,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
+    0,
     program_gnss_position_aiding_status};
 
 static const uint8_t program_gnss_attitude_aiding_status[] = {
@@ -634,6 +680,7 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     MIP_DATA,
     14,
     sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+    0,
     program_gnss_attitude_aiding_status};
 
 static const uint8_t program_heading_aiding_status[] = {
@@ -649,6 +696,7 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     MIP_DATA,
     13,
     sizeof(struct mip_filter_data_heading_aiding_status),
+    0,
     program_heading_aiding_status};
 
 static const uint8_t program_aiding_measurement_summary[] = {
@@ -663,6 +711,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     MIP_DATA,
     7,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
+    0,
     program_aiding_measurement_summary};
 
 static const uint8_t program_odometer_scale_factor_error[] = {
@@ -677,6 +726,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     MIP_DATA,
     6,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
+    0,
     program_odometer_scale_factor_error};
 
 static const uint8_t program_odometer_scale_factor_uncertainty[] = {
@@ -692,6 +742,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec =
     MIP_DATA,
     6,
     sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
+    0,
     program_odometer_scale_factor_uncertainty};
 
 static const uint8_t program_gnss_dual_antenna_status[] = {
@@ -707,6 +758,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     MIP_DATA,
     17,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
+    0,
     program_gnss_dual_antenna_status};
 
 static const uint8_t program_aiding_frame_config_error[] = {
@@ -721,6 +773,7 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     MIP_DATA,
     29,
     sizeof(struct mip_filter_data_aiding_frame_config_error),
+    0,
     program_aiding_frame_config_error};
 
 static const uint8_t program_aiding_frame_error_uncertainty[] = {
@@ -736,4 +789,5 @@ const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
     MIP_DATA,
     25,
     sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
+    0,
     program_aiding_frame_error_uncertainty};

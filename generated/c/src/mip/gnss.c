@@ -8,7 +8,7 @@ static const uint8_t program_receiver_info[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01, MIP_COMMAND, 0, sizeof(struct mip_gnss_receiver_info), program_receiver_info};
+    0x0E, 0x01, MIP_COMMAND, 0, sizeof(struct mip_gnss_receiver_info), 0, program_receiver_info};
 
 static const struct mip_response responses_receiver_info[] = {
     {&mip_gnss_receiver_info_response_codec, NULL},
@@ -35,6 +35,7 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_gnss_receiver_info_response),
+    0,
     program_receiver_info_response};
 
 static const uint8_t program_signal_config[] = {
@@ -53,7 +54,7 @@ static const uint8_t program_signal_config[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02, MIP_COMMAND, 0, sizeof(struct mip_gnss_signal_config), program_signal_config};
+    0x0E, 0x02, MIP_COMMAND, 0, sizeof(struct mip_gnss_signal_config), 0, program_signal_config};
 
 static bool asked_signal_config_1(const void *value) {
     const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
@@ -79,6 +80,7 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     MIP_RESPONSE,
     8,
     sizeof(struct mip_gnss_signal_config_response),
+    0,
     program_signal_config_response};
 
 static const uint8_t program_rtk_dongle_config[] = {
@@ -96,6 +98,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_gnss_rtk_dongle_config),
+    0,
     program_rtk_dongle_config};
 
 static bool asked_rtk_dongle_config_1(const void *value) {
@@ -122,6 +125,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_gnss_rtk_dongle_config_response),
+    0,
     program_rtk_dongle_config_response};
 
 static const uint8_t program_spartn_config[] = {
@@ -147,7 +151,7 @@ static const uint8_t program_spartn_config[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20, MIP_COMMAND, 0, sizeof(struct mip_gnss_spartn_config), program_spartn_config};
+    0x0E, 0x20, MIP_COMMAND, 0, sizeof(struct mip_gnss_spartn_config), 0, program_spartn_config};
 
 static bool asked_spartn_config_1(const void *value) {
     const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
@@ -180,4 +184,5 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_gnss_spartn_config_response),
+    0,
     program_spartn_config_response};

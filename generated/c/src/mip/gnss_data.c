@@ -3,6 +3,7 @@
 #include "mip/program.h"
 
 static const uint8_t program_llh_position[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(4, MIP_AT(struct mip_gnss_data_llh_position, latitude)),
     MIP_32_BITS(2, MIP_AT(struct mip_gnss_data_llh_position, horizontal_accuracy)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_llh_position, valid_flags)),
@@ -10,9 +11,16 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_gnss_data_llh_position_codec = {
-    0x81, 0x03, MIP_DATA, 42, sizeof(struct mip_gnss_data_llh_position), program_llh_position};
+    0x81,
+    0x03,
+    MIP_DATA,
+    42,
+    sizeof(struct mip_gnss_data_llh_position),
+    5,
+    program_llh_position + 5};
 
 static const uint8_t program_ecef_position[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_data_ecef_position, position)),
     MIP_32_BITS(1, MIP_AT(struct mip_gnss_data_ecef_position, position_accuracy)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_ecef_position, valid_flags)),
@@ -20,36 +28,58 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_gnss_data_ecef_position_codec = {
-    0x81, 0x04, MIP_DATA, 30, sizeof(struct mip_gnss_data_ecef_position), program_ecef_position};
+    0x81,
+    0x04,
+    MIP_DATA,
+    30,
+    sizeof(struct mip_gnss_data_ecef_position),
+    5,
+    program_ecef_position + 5};
 
 static const uint8_t program_ned_velocity[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_32_BITS(8, MIP_AT(struct mip_gnss_data_ned_velocity, velocity)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_ned_velocity, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_ned_velocity_codec = {
-    0x81, 0x05, MIP_DATA, 34, sizeof(struct mip_gnss_data_ned_velocity), program_ned_velocity};
+    0x81,
+    0x05,
+    MIP_DATA,
+    34,
+    sizeof(struct mip_gnss_data_ned_velocity),
+    5,
+    program_ned_velocity + 5};
 
 static const uint8_t program_ecef_velocity[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_32_BITS(4, MIP_AT(struct mip_gnss_data_ecef_velocity, velocity)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_ecef_velocity, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_ecef_velocity_codec = {
-    0x81, 0x06, MIP_DATA, 18, sizeof(struct mip_gnss_data_ecef_velocity), program_ecef_velocity};
+    0x81,
+    0x06,
+    MIP_DATA,
+    18,
+    sizeof(struct mip_gnss_data_ecef_velocity),
+    5,
+    program_ecef_velocity + 5};
 
 static const uint8_t program_dop[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_32_BITS(7, MIP_AT(struct mip_gnss_data_dop, gdop)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_dop, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_dop_codec = {
-    0x81, 0x07, MIP_DATA, 30, sizeof(struct mip_gnss_data_dop), program_dop};
+    0x81, 0x07, MIP_DATA, 30, sizeof(struct mip_gnss_data_dop), 5, program_dop + 5};
 
 static const uint8_t program_utc_time[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_utc_time, year)),
     MIP_8_BITS(5, MIP_AT(struct mip_gnss_data_utc_time, month)),
     MIP_32_BITS(1, MIP_AT(struct mip_gnss_data_utc_time, msec)),
@@ -58,63 +88,76 @@ static const uint8_t program_utc_time[] = {
 };
 
 const struct mip_codec mip_gnss_data_utc_time_codec = {
-    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), program_utc_time};
+    0x81, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_data_utc_time), 5, program_utc_time + 5};
 
 static const uint8_t program_gps_time[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_gps_time, tow)),
     MIP_16_BITS(2, MIP_AT(struct mip_gnss_data_gps_time, week_number)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_gps_time_codec = {
-    0x81, 0x09, MIP_DATA, 12, sizeof(struct mip_gnss_data_gps_time), program_gps_time};
+    0x81, 0x09, MIP_DATA, 12, sizeof(struct mip_gnss_data_gps_time), 5, program_gps_time + 5};
 
 static const uint8_t program_clock_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_data_clock_info, bias)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_clock_info, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_clock_info_codec = {
-    0x81, 0x0A, MIP_DATA, 26, sizeof(struct mip_gnss_data_clock_info), program_clock_info};
+    0x81, 0x0A, MIP_DATA, 26, sizeof(struct mip_gnss_data_clock_info), 5, program_clock_info + 5};
 
 static const uint8_t program_fix_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_fix_info, fix_type)),
     MIP_16_BITS(2, MIP_AT(struct mip_gnss_data_fix_info, fix_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_fix_info_codec = {
-    0x81, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_data_fix_info), program_fix_info};
+    0x81, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_data_fix_info), 5, program_fix_info + 5};
 
 static const uint8_t program_sv_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_sv_info, channel)),
     MIP_16_BITS(5, MIP_AT(struct mip_gnss_data_sv_info, carrier_noise_ratio)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_sv_info_codec = {
-    0x81, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_data_sv_info), program_sv_info};
+    0x81, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_data_sv_info), 5, program_sv_info + 5};
 
 static const uint8_t program_hardware_status[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(3, MIP_AT(struct mip_gnss_data_hardware_status, receiver_state)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_hardware_status, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_hardware_status_codec = {
-    0x81, 0x0D, MIP_DATA, 5, sizeof(struct mip_gnss_data_hardware_status), program_hardware_status};
+    0x81,
+    0x0D,
+    MIP_DATA,
+    5,
+    sizeof(struct mip_gnss_data_hardware_status),
+    5,
+    program_hardware_status + 5};
 
 static const uint8_t program_dgps_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_32_BITS(1, MIP_AT(struct mip_gnss_data_dgps_info, age)),
     MIP_16_BITS(4, MIP_AT(struct mip_gnss_data_dgps_info, base_station_id)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_dgps_info_codec = {
-    0x81, 0x0E, MIP_DATA, 12, sizeof(struct mip_gnss_data_dgps_info), program_dgps_info};
+    0x81, 0x0E, MIP_DATA, 12, sizeof(struct mip_gnss_data_dgps_info), 5, program_dgps_info + 5};
 
 static const uint8_t program_dgps_channel[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_data_dgps_channel, satellite_id)),
     MIP_32_BITS(3, MIP_AT(struct mip_gnss_data_dgps_channel, age)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_dgps_channel, valid_flags)),
@@ -122,18 +165,32 @@ static const uint8_t program_dgps_channel[] = {
 };
 
 const struct mip_codec mip_gnss_data_dgps_channel_codec = {
-    0x81, 0x0F, MIP_DATA, 15, sizeof(struct mip_gnss_data_dgps_channel), program_dgps_channel};
+    0x81,
+    0x0F,
+    MIP_DATA,
+    15,
+    sizeof(struct mip_gnss_data_dgps_channel),
+    5,
+    program_dgps_channel + 5};
 
 static const uint8_t program_clock_info_2[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(4, MIP_AT(struct mip_gnss_data_clock_info_2, bias)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_clock_info_2, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_gnss_data_clock_info_2_codec = {
-    0x81, 0x10, MIP_DATA, 34, sizeof(struct mip_gnss_data_clock_info_2), program_clock_info_2};
+    0x81,
+    0x10,
+    MIP_DATA,
+    34,
+    sizeof(struct mip_gnss_data_clock_info_2),
+    5,
+    program_clock_info_2 + 5};
 
 static const uint8_t program_gps_leap_seconds[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_data_gps_leap_seconds, leap_seconds)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_gps_leap_seconds, valid_flags)),
     MIP_END,
@@ -145,9 +202,11 @@ const struct mip_codec mip_gnss_data_gps_leap_seconds_codec = {
     MIP_DATA,
     3,
     sizeof(struct mip_gnss_data_gps_leap_seconds),
-    program_gps_leap_seconds};
+    5,
+    program_gps_leap_seconds + 5};
 
 static const uint8_t program_sbas_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_sbas_info, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_sbas_info, week_number)),
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_data_sbas_info, sbas_system)),
@@ -156,9 +215,10 @@ static const uint8_t program_sbas_info[] = {
 };
 
 const struct mip_codec mip_gnss_data_sbas_info_codec = {
-    0x81, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_data_sbas_info), program_sbas_info};
+    0x81, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_data_sbas_info), 5, program_sbas_info + 5};
 
 static const uint8_t program_sbas_correction[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_sbas_correction, index)),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_sbas_correction, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_sbas_correction, week_number)),
@@ -174,9 +234,11 @@ const struct mip_codec mip_gnss_data_sbas_correction_codec = {
     MIP_DATA,
     25,
     sizeof(struct mip_gnss_data_sbas_correction),
-    program_sbas_correction};
+    5,
+    program_sbas_correction + 5};
 
 static const uint8_t program_rf_error_detection[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(7, MIP_AT(struct mip_gnss_data_rf_error_detection, rf_band)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_rf_error_detection, valid_flags)),
     MIP_END,
@@ -188,9 +250,11 @@ const struct mip_codec mip_gnss_data_rf_error_detection_codec = {
     MIP_DATA,
     9,
     sizeof(struct mip_gnss_data_rf_error_detection),
-    program_rf_error_detection};
+    5,
+    program_rf_error_detection + 5};
 
 static const uint8_t program_satellite_status[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_satellite_status, index)),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_satellite_status, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_satellite_status, week_number)),
@@ -207,9 +271,11 @@ const struct mip_codec mip_gnss_data_satellite_status_codec = {
     MIP_DATA,
     25,
     sizeof(struct mip_gnss_data_satellite_status),
-    program_satellite_status};
+    5,
+    program_satellite_status + 5};
 
 static const uint8_t program_raw[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_data_raw, index)),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_raw, tow)),
     MIP_16_BITS(2, MIP_AT(struct mip_gnss_data_raw, week_number)),
@@ -223,9 +289,10 @@ static const uint8_t program_raw[] = {
 };
 
 const struct mip_codec mip_gnss_data_raw_codec = {
-    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), program_raw};
+    0x81, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_data_raw), 5, program_raw + 5};
 
 static const uint8_t program_base_station_info[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_base_station_info, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_base_station_info, week_number)),
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_data_base_station_info, ecef_position)),
@@ -240,9 +307,11 @@ const struct mip_codec mip_gnss_data_base_station_info_codec = {
     MIP_DATA,
     44,
     sizeof(struct mip_gnss_data_base_station_info),
-    program_base_station_info};
+    5,
+    program_base_station_info + 5};
 
 static const uint8_t program_rtk_corrections_status[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_rtk_corrections_status, tow)),
     MIP_16_BITS(2, MIP_AT(struct mip_gnss_data_rtk_corrections_status, week_number)),
     MIP_32_BITS(9, MIP_AT(struct mip_gnss_data_rtk_corrections_status, dongle_status)),
@@ -256,9 +325,11 @@ const struct mip_codec mip_gnss_data_rtk_corrections_status_codec = {
     MIP_DATA,
     50,
     sizeof(struct mip_gnss_data_rtk_corrections_status),
-    program_rtk_corrections_status};
+    5,
+    program_rtk_corrections_status + 5};
 
 static const uint8_t program_gps_ephemeris[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_FAR,
     MIP_8_BITS(2, MIP_FAR_AT(struct mip_gnss_data_gps_ephemeris, index)),
     MIP_DOUBLES(1, MIP_FAR_AT(struct mip_gnss_data_gps_ephemeris, tow)),
@@ -270,9 +341,16 @@ static const uint8_t program_gps_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_data_gps_ephemeris_codec = {
-    0x81, 0x61, MIP_DATA, 0, sizeof(struct mip_gnss_data_gps_ephemeris), program_gps_ephemeris};
+    0x81,
+    0x61,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_data_gps_ephemeris),
+    5,
+    program_gps_ephemeris + 5};
 
 static const uint8_t program_glonass_ephemeris[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_FAR,
     MIP_8_BITS(2, MIP_FAR_AT(struct mip_gnss_data_glonass_ephemeris, index)),
     MIP_DOUBLES(1, MIP_FAR_AT(struct mip_gnss_data_glonass_ephemeris, tow)),
@@ -295,9 +373,11 @@ const struct mip_codec mip_gnss_data_glonass_ephemeris_codec = {
     MIP_DATA,
     0,
     sizeof(struct mip_gnss_data_glonass_ephemeris),
-    program_glonass_ephemeris};
+    5,
+    program_glonass_ephemeris + 5};
 
 static const uint8_t program_galileo_ephemeris[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_FAR,
     MIP_8_BITS(2, MIP_FAR_AT(struct mip_gnss_data_galileo_ephemeris, index)),
     MIP_DOUBLES(1, MIP_FAR_AT(struct mip_gnss_data_galileo_ephemeris, tow)),
@@ -314,9 +394,11 @@ const struct mip_codec mip_gnss_data_galileo_ephemeris_codec = {
     MIP_DATA,
     0,
     sizeof(struct mip_gnss_data_galileo_ephemeris),
-    program_galileo_ephemeris};
+    5,
+    program_galileo_ephemeris + 5};
 
 static const uint8_t program_beidou_ephemeris[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_FAR,
     MIP_8_BITS(2, MIP_FAR_AT(struct mip_gnss_data_beidou_ephemeris, index)),
     MIP_DOUBLES(1, MIP_FAR_AT(struct mip_gnss_data_beidou_ephemeris, tow)),
@@ -333,9 +415,11 @@ const struct mip_codec mip_gnss_data_beidou_ephemeris_codec = {
     MIP_DATA,
     0,
     sizeof(struct mip_gnss_data_beidou_ephemeris),
-    program_beidou_ephemeris};
+    5,
+    program_beidou_ephemeris + 5};
 
 static const uint8_t program_gps_iono_correction[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_gps_iono_correction, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_gps_iono_correction, week_number)),
     MIP_DOUBLES(8, MIP_AT(struct mip_gnss_data_gps_iono_correction, alpha)),
@@ -349,9 +433,11 @@ const struct mip_codec mip_gnss_data_gps_iono_correction_codec = {
     MIP_DATA,
     76,
     sizeof(struct mip_gnss_data_gps_iono_correction),
-    program_gps_iono_correction};
+    5,
+    program_gps_iono_correction + 5};
 
 static const uint8_t program_galileo_iono_correction[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_data_galileo_iono_correction, tow)),
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_data_galileo_iono_correction, week_number)),
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_data_galileo_iono_correction, alpha)),
@@ -366,9 +452,11 @@ const struct mip_codec mip_gnss_data_galileo_iono_correction_codec = {
     MIP_DATA,
     37,
     sizeof(struct mip_gnss_data_galileo_iono_correction),
-    program_galileo_iono_correction};
+    5,
+    program_galileo_iono_correction + 5};
 
 static const uint8_t program_beidou_iono_correction[] = {
+    MIP_MORE_SETS(0x91, 0x92, 0x93, 0x94, 0x95),
     MIP_FAR,
     MIP_DOUBLES(1, MIP_FAR_AT(struct mip_gnss_data_beidou_iono_correction, tow)),
     MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_data_beidou_iono_correction, week_number)),
@@ -383,4 +471,5 @@ const struct mip_codec mip_gnss_data_beidou_iono_correction_codec = {
     MIP_DATA,
     0,
     sizeof(struct mip_gnss_data_beidou_iono_correction),
-    program_beidou_iono_correction};
+    5,
+    program_beidou_iono_correction + 5};

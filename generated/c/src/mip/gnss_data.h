@@ -1,9 +1,9 @@
 /**
  * @file
  *
- * GNSS data (0x81). Measurements and status of the GNSS receiver of 4-series and 5-series devices.
- * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
- * GNSS data sets the same fields.
+ * GNSS data. Measurements and status of GNSS receivers. Each receiver has a descriptor set; all
+ * have the same fields. Uncertain: Which devices send the fields that no manual lists for a set.
+ * The SDK gives all GNSS data sets the same fields.
  *
  * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
@@ -11,7 +11,6 @@
 #define MIP_GNSS_DATA_H
 
 #include "mip/protocol.h"
-#include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/gnss_data.h and mip/constants.h are not of one version"
@@ -21,59 +20,627 @@
 extern "C" {
 #endif
 
-/** Descriptor set of these fields. */
+/**
+ * Descriptor set: GNSS data. Measurements and status of the GNSS receiver of 4-series and 5-series
+ * devices.
+ */
 #define MIP_GNSS_DATA_SET 0x81
+/**
+ * Descriptor set: GNSS receiver 1 data. Measurements and status of the first internal GNSS
+ * receiver.
+ */
+#define MIP_GNSS_1_SET 0x91
+/**
+ * Descriptor set: GNSS receiver 2 data. Measurements and status of the second internal GNSS
+ * receiver.
+ */
+#define MIP_GNSS_2_SET 0x92
+/**
+ * Descriptor set: GNSS corrections data. RTK corrections that the device receives. Data is sent as
+ * it is received.
+ */
+#define MIP_GNSS_CORRECTIONS_SET 0x93
+/**
+ * Descriptor set: External GNSS data. Data that an external GNSS receiver sends to the device in
+ * NMEA sentences. A field may need several sentences; a value that NMEA does not provide is not
+ * valid. Times are those of the sentences.
+ */
+#define MIP_GNSS_EXTERNAL_SET 0x94
+/**
+ * Descriptor set: External GNSS data 2. Data that a second external GNSS receiver sends to the
+ * device. Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor published for
+ * trial; the SDK calls the set GNSS 5.
+ */
+#define MIP_GNSS_EXTERNAL_2_SET 0x95
+
+/** Which parts of the position are valid. */
+typedef uint16_t mip_gnss_data_llh_position_flags;
+/** Bit 0. Latitude and longitude. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON 0x0001U
+/** Bit 1. Height above the ellipsoid. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
+/** Bit 2. Height above mean sea level. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
+/** Bit 3. Horizontal accuracy. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
+/** Bit 4. Vertical accuracy. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
+/** Bits 0 to 4. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
+/** Which parts of the position are valid. */
+typedef uint16_t mip_gnss_data_ecef_position_flags;
+/** Bit 0. Position. */
+#define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION 0x0001U
+/** Bit 1. Accuracy of the position. */
+#define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_FLAGS 0x0003U
+/** Which parts of the velocity are valid. */
+typedef uint16_t mip_gnss_data_ned_velocity_flags;
+/** Bit 0. Velocity vector. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
+/** Bit 1. Speed in space. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
+/** Bit 2. Speed over ground. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
+/** Bit 3. Heading. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING 0x0008U
+/** Bit 4. Accuracy of the speed. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
+/** Bit 5. Accuracy of the heading. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
+/** Which parts of the velocity are valid. */
+typedef uint16_t mip_gnss_data_ecef_velocity_flags;
+/** Bit 0. Velocity. */
+#define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
+/** Bit 1. Accuracy of the velocity. */
+#define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
+/** Which dilutions of precision are valid. */
+typedef uint16_t mip_gnss_data_dop_flags;
+/** Bit 0. Geometric. */
+#define MIP_GNSS_DATA_DOP_FLAGS_GDOP 0x0001U
+/** Bit 1. Position. */
+#define MIP_GNSS_DATA_DOP_FLAGS_PDOP 0x0002U
+/** Bit 2. Horizontal. */
+#define MIP_GNSS_DATA_DOP_FLAGS_HDOP 0x0004U
+/** Bit 3. Vertical. */
+#define MIP_GNSS_DATA_DOP_FLAGS_VDOP 0x0008U
+/** Bit 4. Time. */
+#define MIP_GNSS_DATA_DOP_FLAGS_TDOP 0x0010U
+/** Bit 5. Northing. */
+#define MIP_GNSS_DATA_DOP_FLAGS_NDOP 0x0020U
+/** Bit 6. Easting. */
+#define MIP_GNSS_DATA_DOP_FLAGS_EDOP 0x0040U
+/** Bits 0 to 6. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_DOP_FLAGS_FLAGS 0x007FU
+/** Which parts of the UTC time are valid. */
+typedef uint16_t mip_gnss_data_utc_time_flags;
+/** Bit 0. Date and time come from GNSS. */
+#define MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
+/** Bit 1. The leap seconds between GPS time and UTC are known. */
+#define MIP_GNSS_DATA_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
+/** Which parts of the time are valid. */
+typedef uint16_t mip_gnss_data_gps_time_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
+/** Which clock parameters are valid. */
+typedef uint16_t mip_gnss_data_clock_info_flags;
+/** Bit 0. Bias. */
+#define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS 0x0001U
+/** Bit 1. Drift. */
+#define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_DRIFT 0x0002U
+/** Bit 2. Accuracy. */
+#define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_FLAGS 0x0007U
+/** What the fix uses. */
+typedef uint16_t mip_gnss_data_fix_flags;
+/** Bit 0. Satellite based augmentation. */
+#define MIP_GNSS_DATA_FIX_FLAGS_SBAS_USED 0x0001U
+/** Bit 1. Differential corrections. */
+#define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
+/** Which parts of the fix information are valid. */
+typedef uint16_t mip_gnss_data_fix_info_flags;
+/** Bit 0. Type of the fix. */
+#define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
+/** Bit 1. Number of satellites. */
+#define MIP_GNSS_DATA_FIX_INFO_FLAGS_NUM_SV 0x0002U
+/** Bit 2. Fix flags. */
+#define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_FIX_INFO_FLAGS_FLAGS 0x0007U
+/** State of a satellite. */
+typedef uint16_t mip_gnss_data_sv_flags;
+/** Bit 0. The position fix uses it. */
+#define MIP_GNSS_DATA_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
+/** Bit 1. It is healthy. */
+#define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
+/** Which parts of the satellite info are valid. */
+typedef uint16_t mip_gnss_data_sv_info_flags;
+/** Bit 0. Channel. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL 0x0001U
+/** Bit 1. Satellite. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
+/** Bit 2. Carrier to noise density ratio. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
+/** Bit 3. Azimuth. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH 0x0008U
+/** Bit 4. Elevation. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION 0x0010U
+/** Bit 5. State of the satellite. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_SV_INFO_FLAGS_FLAGS 0x003FU
+/** State of the receiver. */
+enum mip_gnss_data_receiver_state MIP_ENUM_8 {
+    /** Off. */
+    MIP_GNSS_DATA_RECEIVER_STATE_OFF = 0,
+    /** On. */
+    MIP_GNSS_DATA_RECEIVER_STATE_ON = 1,
+    /** Not known. */
+    MIP_GNSS_DATA_RECEIVER_STATE_UNKNOWN = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
+/** State of the antenna. */
+enum mip_gnss_data_antenna_state MIP_ENUM_8 {
+    /** Being initialized. */
+    MIP_GNSS_DATA_ANTENNA_STATE_INIT = 1,
+    /** Short circuit. */
+    MIP_GNSS_DATA_ANTENNA_STATE_SHORT = 2,
+    /** Open circuit, no antenna. */
+    MIP_GNSS_DATA_ANTENNA_STATE_OPEN = 3,
+    /** Good. */
+    MIP_GNSS_DATA_ANTENNA_STATE_GOOD = 4,
+    /** Not known. */
+    MIP_GNSS_DATA_ANTENNA_STATE_UNKNOWN = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
+/** Supply of the antenna. */
+enum mip_gnss_data_antenna_power MIP_ENUM_8 {
+    /** Off. */
+    MIP_GNSS_DATA_ANTENNA_POWER_OFF = 0,
+    /** On. */
+    MIP_GNSS_DATA_ANTENNA_POWER_ON = 1,
+    /** Not known. */
+    MIP_GNSS_DATA_ANTENNA_POWER_UNKNOWN = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
+/** Which parts of the hardware status are valid. */
+typedef uint16_t mip_gnss_data_hardware_status_flags;
+/** Bit 0. State of the receiver. */
+#define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
+/** Bit 1. State of the antenna. */
+#define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
+/** Bit 2. Supply of the antenna. */
+#define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+/** Which parts of the state of the corrections are valid. */
+typedef uint16_t mip_gnss_data_dgps_info_flags;
+/** Bit 0. Age. */
+#define MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE 0x0001U
+/** Bit 1. Number of the base station. */
+#define MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
+/** Bit 2. State of the base station. */
+#define MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_STATUS 0x0004U
+/** Bit 3. Number of channels. */
+#define MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_DGPS_INFO_FLAGS_FLAGS 0x000FU
+/** Which parts of a differential correction are valid. */
+typedef uint16_t mip_gnss_data_dgps_channel_flags;
+/** Bit 0. Satellite. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
+/** Bit 1. Age. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE 0x0002U
+/** Bit 2. Correction of the range. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
+/** Bit 3. Correction of the range rate. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
+/** Which clock parameters are valid. */
+typedef uint16_t mip_gnss_data_clock_info_2_flags;
+/** Bit 0. Bias. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
+/** Bit 1. Drift. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
+/** Bit 2. Accuracy of the bias. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
+/** Bit 3. Accuracy of the drift. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
+/** Whether the leap seconds are valid. Bit 0 is not used. */
+typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
+/** Bit 1. Leap seconds. */
+#define MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
+/** Satellite based augmentation system. */
+enum mip_gnss_data_sbas_system MIP_ENUM_8 {
+    /** Not known. */
+    MIP_GNSS_DATA_SBAS_SYSTEM_UNKNOWN = 0,
+    /** North America. */
+    MIP_GNSS_DATA_SBAS_SYSTEM_WAAS = 1,
+    /** Europe. */
+    MIP_GNSS_DATA_SBAS_SYSTEM_EGNOS = 2,
+    /** Japan. */
+    MIP_GNSS_DATA_SBAS_SYSTEM_MSAS = 3,
+    /** India. */
+    MIP_GNSS_DATA_SBAS_SYSTEM_GAGAN = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
+/** What the SBAS service offers. */
+typedef uint8_t mip_gnss_data_sbas_status;
+/** Bit 0. Ranging is available. */
+#define MIP_GNSS_DATA_SBAS_STATUS_RANGE_AVAILABLE 0x01U
+/** Bit 1. Corrections are available. */
+#define MIP_GNSS_DATA_SBAS_STATUS_CORRECTIONS_AVAILABLE 0x02U
+/** Bit 2. Integrity information is available. */
+#define MIP_GNSS_DATA_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
+/** Bit 3. The service is in test mode. */
+#define MIP_GNSS_DATA_SBAS_STATUS_TEST_MODE 0x08U
+/** Which parts of the SBAS status are valid. */
+typedef uint16_t mip_gnss_data_sbas_info_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. System. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
+/** Bit 3. Satellite. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
+/** Bit 4. Number of corrections. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_COUNT 0x0010U
+/** Bit 5. Status of the service. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_SBAS_INFO_FLAGS_FLAGS 0x003FU
+/** Which parts of an SBAS correction are valid. */
+typedef uint16_t mip_gnss_data_sbas_correction_flags;
+/** Bit 0. Indicator of the range error. */
+#define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
+/** Bit 1. Correction of the pseudorange. */
+#define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION 0x0002U
+/** Bit 2. Correction of the ionospheric delay. */
+#define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
+/** Frequency band of GNSS signals. */
+enum mip_gnss_data_rf_band MIP_ENUM_8 {
+    /** Not known. */
+    MIP_GNSS_DATA_RF_BAND_UNKNOWN = 0,
+    /** L1. */
+    MIP_GNSS_DATA_RF_BAND_L1 = 1,
+    /** L2. */
+    MIP_GNSS_DATA_RF_BAND_L2 = 2,
+    /** L5. */
+    MIP_GNSS_DATA_RF_BAND_L5 = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
+/** How much the reception is jammed. */
+enum mip_gnss_data_jamming_state MIP_ENUM_8 {
+    /** Not known. */
+    MIP_GNSS_DATA_JAMMING_STATE_UNKNOWN = 0,
+    /** Not at all. */
+    MIP_GNSS_DATA_JAMMING_STATE_NONE = 1,
+    /** In part. */
+    MIP_GNSS_DATA_JAMMING_STATE_PARTIAL = 2,
+    /** Badly. */
+    MIP_GNSS_DATA_JAMMING_STATE_SIGNIFICANT = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
+/** How much the signals are spoofed. */
+enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
+    /** Not known. */
+    MIP_GNSS_DATA_SPOOFING_STATE_UNKNOWN = 0,
+    /** Not at all. */
+    MIP_GNSS_DATA_SPOOFING_STATE_NONE = 1,
+    /** In part. */
+    MIP_GNSS_DATA_SPOOFING_STATE_PARTIAL = 2,
+    /** Badly. */
+    MIP_GNSS_DATA_SPOOFING_STATE_SIGNIFICANT = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
+/** Which parts of the detection are valid. */
+typedef uint16_t mip_gnss_data_rf_error_detection_flags;
+/** Bit 0. Band. */
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
+/** Bit 1. Jamming. */
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
+/** Bit 2. Spoofing. */
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FLAGS 0x0007U
+/** Which parts of the satellite status are valid. */
+typedef uint16_t mip_gnss_data_satellite_status_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Constellation. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
+/** Bit 3. Satellite. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
+/** Bit 4. Elevation. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
+/** Bit 5. Azimuth. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
+/** Bit 6. Health. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
+/** Bits 0 to 6. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
+/** How well a signal is tracked. */
+enum mip_gnss_data_signal_quality MIP_ENUM_8 {
+    /** No signal. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_NONE = 0,
+    /** The signal is being searched for. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_SEARCHING = 1,
+    /** The signal is acquired. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_ACQUIRED = 2,
+    /** The signal is found but cannot be used. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_UNUSABLE = 3,
+    /** Locked in time. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_TIME_LOCKED = 4,
+    /** Fully locked. */
+    MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
+/** Which parts of the observation are valid. */
+typedef uint16_t mip_gnss_data_raw_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_RAW_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Receiver or reference station. */
+#define MIP_GNSS_DATA_RAW_FLAGS_RECEIVER_ID 0x0004U
+/** Bit 3. Tracking channel. */
+#define MIP_GNSS_DATA_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
+/** Bit 4. Constellation. */
+#define MIP_GNSS_DATA_RAW_FLAGS_GNSS_ID 0x0010U
+/** Bit 5. Satellite. */
+#define MIP_GNSS_DATA_RAW_FLAGS_SATELLITE_ID 0x0020U
+/** Bit 6. Signal. */
+#define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID 0x0040U
+/** Bit 7. Signal strength. */
+#define MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
+/** Bit 8. Signal quality. */
+#define MIP_GNSS_DATA_RAW_FLAGS_QUALITY 0x0100U
+/** Bit 9. Pseudorange. */
+#define MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE 0x0200U
+/** Bit 10. Carrier phase. */
+#define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE 0x0400U
+/** Bit 11. Doppler shift. */
+#define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER 0x0800U
+/** Bit 12. Uncertainty of the pseudorange. */
+#define MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
+/** Bit 13. Uncertainty of the carrier phase. */
+#define MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
+/** Bit 14. Uncertainty of the Doppler shift. */
+#define MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
+/** Bit 15. Lock time. */
+#define MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME 0x8000U
+/** Bits 0 to 15. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_RAW_FLAGS_FLAGS 0xFFFFU
+/** Properties of a base station, as its RTCM message gives them. */
+typedef uint16_t mip_gnss_data_base_station_indicators;
+/** Bit 0. GPS is supported. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_GPS 0x0001U
+/** Bit 1. GLONASS is supported. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_GLONASS 0x0002U
+/** Bit 2. Galileo is supported. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_GALILEO 0x0004U
+/** Bit 3. BeiDou is supported. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_BEIDOU 0x0008U
+/** Bit 4. Reference station indicator. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_REFERENCE_STATION 0x0010U
+/** Bit 5. Single receiver oscillator indicator. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
+/** Bit 6. First bit of the quarter cycle indicator. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
+/** Bit 7. Second bit of the quarter cycle indicator. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
+/** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
+#define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
+/** Which values are valid. */
+typedef uint16_t mip_gnss_data_base_station_info_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Position. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
+/** Bit 3. Antenna height. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
+/** Bit 4. Station. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
+/** Bit 5. Indicators. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
+/** Corrections received during an epoch. */
+typedef uint16_t mip_gnss_data_rtk_epoch_status;
+/** Bit 0. Antenna location. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
+/** Bit 1. Antenna description. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
+/** Bit 2. GPS corrections. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
+/** Bit 3. GLONASS corrections. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
+/** Bit 4. Galileo corrections. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
+/** Bit 5. BeiDou corrections. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
+/** Bit 6. GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
+/** Bit 7. GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
+/** Bit 8. The status of the dongle could not be read. */
+#define MIP_GNSS_DATA_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
+/** Which values are valid. */
+typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Epoch status. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
+/** Bit 3. Status of the dongle. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
+/** Bit 4. Latency of GPS corrections. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
+/** Bit 5. Latency of GLONASS corrections. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
+/** Bit 6. Latency of Galileo corrections. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
+/** Bit 7. Latency of BeiDou corrections. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
+/** Bits 0 to 7. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
+/** What an ephemeris of GPS, Galileo or BeiDou holds. */
+typedef uint16_t mip_gnss_data_ephemeris_flags;
+/** Bit 0. The ephemeris is valid. */
+#define MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
+/** Bit 1. The data of the modernized navigation message are included. */
+#define MIP_GNSS_DATA_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
+/** Bit 2. `isc_l2c` is the correction for L5, not for L2. */
+#define MIP_GNSS_DATA_EPHEMERIS_FLAGS_ISC_L5 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_EPHEMERIS_FLAGS_FLAGS 0x0007U
+/** Generation of a GLONASS satellite. */
+enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
+    /** GLONASS. */
+    MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS = 0,
+    /** GLONASS-M. */
+    MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
+/** Whether the ephemeris is valid. */
+typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
+/** Bit 0. The ephemeris is valid. */
+#define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
+/** Bit 0. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients alpha. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Coefficients beta. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Storm flags. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients alpha. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Coefficients beta. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bit 4. Further coefficients. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
+/** Bits 0 to 4. All of them. Overlaps other bits. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
 
 /**
- * GNSS LLH position: data (0x81,0x03).
+ * GNSS LLH position: data 0x03.
  *
  * GNSS position as latitude, longitude and height.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_llh_position. Also called
- * `pos_llh`. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_llh`. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
+ * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
+ * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
 struct mip_gnss_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double longitude;
     /**
      * Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-     * MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
      */
     double ellipsoid_height;
     /**
-     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT in
+     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_MSL_HEIGHT in
      * valid_flags is set.
      */
     double msl_height;
     /**
-     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in
-     * valid_flags is set.
+     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
+     * in valid_flags is set.
      */
     float horizontal_accuracy;
     /**
-     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
+     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
      * valid_flags is set.
      */
     float vertical_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_llh_position_flags valid_flags;
+    mip_gnss_data_llh_position_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_LLH_POSITION 0x8103
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_LLH_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x03)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
 
 /** Its wire format. */
@@ -94,7 +661,10 @@ static inline mip_error mip_gnss_data_llh_position_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_llh_position_decode_inline(
     struct mip_gnss_data_llh_position *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x03, 42);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x03, 42)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -115,7 +685,10 @@ static inline mip_error mip_gnss_data_llh_position_decode_inline(
 static inline mip_error mip_gnss_data_llh_position_encode_inline(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x03, 42, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x03, 42, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -130,35 +703,37 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
 }
 
 /**
- * GNSS ECEF position: data (0x81,0x04).
+ * GNSS ECEF position: data 0x04.
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
- * `pos_ecef`. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `pos_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
 struct mip_gnss_data_ecef_position {
     /**
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
+     * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
      */
     double position[3];
     /**
-     * Accuracy of the position. Unit: m. Valid if MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY
-     * in valid_flags is set.
+     * Accuracy of the position. Unit: m. Valid if
+     * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_ecef_position_flags valid_flags;
+    mip_gnss_data_ecef_position_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_ECEF_POSITION 0x8104
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_ECEF_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x04)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
 
 /** Its wire format. */
@@ -179,7 +754,10 @@ static inline mip_error mip_gnss_data_ecef_position_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_ecef_position_decode_inline(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x04, 30);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x04, 30)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -198,7 +776,10 @@ static inline mip_error mip_gnss_data_ecef_position_decode_inline(
 static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x04, 30, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x04, 30, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -211,55 +792,58 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
 }
 
 /**
- * NED velocity: data (0x81,0x05).
+ * NED velocity: data 0x05.
  *
  * GNSS velocity in the local level frame.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_ned_velocity. Also called
- * `vel_ned`. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ned`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
+ * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
+ * - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
  */
 struct mip_gnss_data_ned_velocity {
     /**
      * Velocity. Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-     * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
     /**
-     * Speed in space. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is
-     * set.
+     * Speed in space. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags
+     * is set.
      */
     float speed;
     /**
-     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED in
+     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_GROUND_SPEED in
      * valid_flags is set.
      */
     float ground_speed;
     /**
      * Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
-     * MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
      */
     float heading;
     /**
-     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
+     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_DATA_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
      * valid_flags is set.
      */
     float speed_accuracy;
     /**
-     * Accuracy of the heading. Unit: deg. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY
-     * in valid_flags is set.
+     * Accuracy of the heading. Unit: deg. Valid if
+     * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_ned_velocity_flags valid_flags;
+    mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_NED_VELOCITY 0x8105
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_NED_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x05)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_NED_VELOCITY_DESCRIPTOR 0x05
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_NED_VELOCITY_NAME "gnss_data.ned_velocity"
 
 /** Its wire format. */
@@ -280,7 +864,10 @@ static inline mip_error mip_gnss_data_ned_velocity_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
     struct mip_gnss_data_ned_velocity *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x05, 34);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x05, 34)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -303,7 +890,10 @@ static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
 static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x05, 34, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x05, 34, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -320,34 +910,38 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
 }
 
 /**
- * GNSS ECEF velocity: data (0x81,0x06).
+ * GNSS ECEF velocity: data 0x06.
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by 3DM-GX5-35.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `vel_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-35.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
 struct mip_gnss_data_ecef_velocity {
     /**
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
     float velocity[3];
     /**
      * Accuracy of the velocity. Unit: m/s. Valid if
-     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
+     * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_ecef_velocity_flags valid_flags;
+    mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_ECEF_VELOCITY 0x8106
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_ECEF_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x06)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
 
 /** Its wire format. */
@@ -368,7 +962,10 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x06, 18);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x06, 18)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -387,7 +984,10 @@ static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
 static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x06, 18, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x06, 18, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -400,39 +1000,42 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
 }
 
 /**
- * DOP: data (0x81,0x07).
+ * DOP: data 0x07.
  *
  * Dilution of precision of the satellite geometry.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
+ * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
  */
 struct mip_gnss_data_dop {
-    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_GDOP in valid_flags is set. */
+    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_GDOP in valid_flags is set. */
     float gdop;
-    /** Position dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_PDOP in valid_flags is set. */
+    /** Position dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_PDOP in valid_flags is set. */
     float pdop;
-    /** Horizontal dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_HDOP in valid_flags is set. */
+    /**
+     * Horizontal dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_HDOP in valid_flags is set.
+     */
     float hdop;
-    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_VDOP in valid_flags is set. */
+    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_VDOP in valid_flags is set. */
     float vdop;
-    /** Time dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_TDOP in valid_flags is set. */
+    /** Time dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_TDOP in valid_flags is set. */
     float tdop;
-    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_NDOP in valid_flags is set. */
+    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_NDOP in valid_flags is set. */
     float ndop;
-    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_EDOP in valid_flags is set. */
+    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_DATA_DOP_FLAGS_EDOP in valid_flags is set. */
     float edop;
     /** Which values are valid. */
-    mip_gnss_1_dop_flags valid_flags;
+    mip_gnss_data_dop_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_DOP 0x8107
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_DOP(descriptor_set) MIP_KEY(descriptor_set, 0x07)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DOP_DESCRIPTOR 0x07
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DOP_NAME "gnss_data.dop"
 
 /** Its wire format. */
@@ -453,7 +1056,10 @@ static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop 
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop *value,
                                                         const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x07, 30);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x07, 30)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -475,7 +1081,10 @@ static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop
 static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_data_dop *value,
                                                         struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x07, 30, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x07, 30, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -491,57 +1100,59 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
 }
 
 /**
- * UTC time: data (0x81,0x08).
+ * UTC time: data 0x08.
  *
  * Coordinated universal time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
+ * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
+ * - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
  */
 struct mip_gnss_data_utc_time {
-    /** Year. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set. */
+    /** Year. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set. */
     uint16_t year;
     /**
-     * Month. Range: 1 to 12. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * Month. Range: 1 to 12. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
      * set.
      */
     uint8_t month;
     /**
-     * Day of the month. Range: 1 to 31. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * Day of the month. Range: 1 to 31. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in
      * valid_flags is set.
      */
     uint8_t day;
     /**
-     * Hour. Range: 0 to 23. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * Hour. Range: 0 to 23. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
      * set.
      */
     uint8_t hour;
     /**
-     * Minute. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
-     * set.
+     * Minute. Range: 0 to 59. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags
+     * is set.
      */
     uint8_t min;
     /**
-     * Second. Unit: s. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * Second. Unit: s. Range: 0 to 59. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in
      * valid_flags is set.
      */
     uint8_t sec;
     /**
      * Fraction of the second. Unit: ms. Range: 0 to 999. Valid if
-     * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
+     * MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
     /** Which parts of the time are valid. */
-    mip_gnss_1_utc_time_flags valid_flags;
+    mip_gnss_data_utc_time_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_UTC_TIME 0x8108
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_UTC_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x08)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_UTC_TIME_DESCRIPTOR 0x08
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_UTC_TIME_NAME "gnss_data.utc_time"
 
 /** Its wire format. */
@@ -562,7 +1173,10 @@ static inline mip_error mip_gnss_data_utc_time_encode(const struct mip_gnss_data
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_data_utc_time *value,
                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x08, 13);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x08, 13)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -584,7 +1198,10 @@ static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_dat
 static inline mip_error mip_gnss_data_utc_time_encode_inline(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x08, 13, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x08, 13, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -600,32 +1217,35 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
 }
 
 /**
- * GPS time: data (0x81,0x09).
+ * GPS time: data 0x09.
  *
  * GPS time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
+ * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
  */
 struct mip_gnss_data_gps_time {
-    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_TOW in valid_flags is set. */
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW in valid_flags is set.
+     */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER in valid_flags is
-     * set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER in valid_flags
+     * is set.
      */
     uint16_t week_number;
     /** Which values are valid. */
-    mip_gnss_1_gps_time_flags valid_flags;
+    mip_gnss_data_gps_time_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GPS_TIME 0x8109
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GPS_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x09)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_TIME_DESCRIPTOR 0x09
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_TIME_NAME "gnss_data.gps_time"
 
 /** Its wire format. */
@@ -646,7 +1266,10 @@ static inline mip_error mip_gnss_data_gps_time_encode(const struct mip_gnss_data
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_data_gps_time *value,
                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x09, 12);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x09, 12)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -663,7 +1286,10 @@ static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_dat
 static inline mip_error mip_gnss_data_gps_time_encode_inline(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x09, 12, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x09, 12, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -674,41 +1300,43 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
 }
 
 /**
- * Clock info: data (0x81,0x0A).
+ * Clock info: data 0x0A.
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known only from the
+ * No device is certain to support it. Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET,
+ * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
  * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
 struct mip_gnss_data_clock_info {
     /**
-     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS in valid_flags is set.
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS in valid_flags is
+     * set.
      */
     double bias;
     /**
-     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT in valid_flags is
-     * set.
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_DATA_CLOCK_INFO_FLAGS_DRIFT in valid_flags
+     * is set.
      */
     double drift;
     /**
-     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
+     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
      * valid_flags is set.
      */
     double accuracy_estimate;
     /** Which values are valid. */
-    mip_gnss_1_clock_info_flags valid_flags;
+    mip_gnss_data_clock_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_CLOCK_INFO 0x810A
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_CLOCK_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0A)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_DESCRIPTOR 0x0A
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_CLOCK_INFO_NAME "gnss_data.clock_info"
 
 /** Its wire format. */
@@ -729,7 +1357,10 @@ static inline mip_error mip_gnss_data_clock_info_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_clock_info_decode_inline(
     struct mip_gnss_data_clock_info *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0A, 26);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0A, 26)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -747,7 +1378,10 @@ static inline mip_error mip_gnss_data_clock_info_decode_inline(
 static inline mip_error mip_gnss_data_clock_info_encode_inline(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0A, 26, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0A, 26, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -759,37 +1393,40 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
 }
 
 /**
- * Fix info: data (0x81,0x0B).
+ * Fix info: data 0x0B.
  *
  * Type of the position fix and what it is based on.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+ * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
+ * - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
  */
 struct mip_gnss_data_fix_info {
     /**
      * Type of the fix. A value of enum mip_gnss_fix_type. Valid if
-     * MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
+     * MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
     /**
-     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
-     * valid_flags is set.
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_NUM_SV
+     * in valid_flags is set.
      */
     uint8_t num_sv;
-    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
-    mip_gnss_1_fix_flags fix_flags;
+    /** What the fix uses. Valid if MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    mip_gnss_data_fix_flags fix_flags;
     /** Which values are valid. */
-    mip_gnss_1_fix_info_flags valid_flags;
+    mip_gnss_data_fix_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_FIX_INFO 0x810B
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_FIX_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0B)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_FIX_INFO_DESCRIPTOR 0x0B
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_FIX_INFO_NAME "gnss_data.fix_info"
 
 /** Its wire format. */
@@ -810,7 +1447,10 @@ static inline mip_error mip_gnss_data_fix_info_encode(const struct mip_gnss_data
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_data_fix_info *value,
                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0B, 6);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0B, 6)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -828,7 +1468,10 @@ static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_dat
 static inline mip_error mip_gnss_data_fix_info_encode_inline(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0B, 6, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0B, 6, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -840,48 +1483,53 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
 }
 
 /**
- * Satellite info: data (0x81,0x0C).
+ * Satellite info: data 0x0C.
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known only from the MicroStrain
- * MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Sv Info (0x81,0x0C)
  */
 struct mip_gnss_data_sv_info {
     /**
-     * Channel of the receiver that tracks the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL
-     * in valid_flags is set.
+     * Channel of the receiver that tracks the satellite. Valid if
+     * MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL in valid_flags is set.
      */
     uint8_t channel;
     /**
-     * Number of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID in valid_flags is
+     * Number of the satellite. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_SATELLITE_ID in valid_flags is
      * set.
      */
     uint8_t satellite_id;
     /**
      * Carrier to noise density ratio. Unit: dB-Hz. Valid if
-     * MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
+     * MIP_GNSS_DATA_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
      */
     uint16_t carrier_noise_ratio;
-    /** Azimuth. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
+    /** Azimuth. Unit: deg. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
     int16_t azimuth;
-    /** Elevation. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION in valid_flags is set. */
+    /**
+     * Elevation. Unit: deg. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_ELEVATION in valid_flags is set.
+     */
     int16_t elevation;
-    /** State of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set. */
-    mip_gnss_1_sv_flags sv_flags;
+    /**
+     * State of the satellite. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set.
+     */
+    mip_gnss_data_sv_flags sv_flags;
     /** Which values are valid. */
-    mip_gnss_1_sv_info_flags valid_flags;
+    mip_gnss_data_sv_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_SV_INFO 0x810C
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_SV_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0C)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SV_INFO_DESCRIPTOR 0x0C
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SV_INFO_NAME "gnss_data.sv_info"
 
 /** Its wire format. */
@@ -902,7 +1550,10 @@ static inline mip_error mip_gnss_data_sv_info_encode(const struct mip_gnss_data_
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data_sv_info *value,
                                                             const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0C, 12);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0C, 12)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -923,7 +1574,10 @@ static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data
 static inline mip_error mip_gnss_data_sv_info_encode_inline(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0C, 12, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0C, 12, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -938,40 +1592,42 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
 }
 
 /**
- * GNSS hardware status: data (0x81,0x0D).
+ * GNSS hardware status: data 0x0D.
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by 3DM-GX5-45.
- * Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `hw_status`. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
+ * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
 struct mip_gnss_data_hardware_status {
     /**
-     * State of the receiver. A value of enum mip_gnss_1_receiver_state. Valid if
-     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
+     * State of the receiver. A value of enum mip_gnss_data_receiver_state. Valid if
+     * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
      */
     uint8_t receiver_state;
     /**
-     * State of the antenna. A value of enum mip_gnss_1_antenna_state. Valid if
-     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags is set.
+     * State of the antenna. A value of enum mip_gnss_data_antenna_state. Valid if
+     * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags is set.
      */
     uint8_t antenna_state;
     /**
-     * Supply of the antenna. A value of enum mip_gnss_1_antenna_power. Valid if
-     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
+     * Supply of the antenna. A value of enum mip_gnss_data_antenna_power. Valid if
+     * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
     uint8_t antenna_power;
     /** Which values are valid. */
-    mip_gnss_1_hardware_status_flags valid_flags;
+    mip_gnss_data_hardware_status_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_HARDWARE_STATUS 0x810D
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_HARDWARE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x0D)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
 
 /** Its wire format. */
@@ -992,7 +1648,10 @@ static inline mip_error mip_gnss_data_hardware_status_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_hardware_status_decode_inline(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0D, 5);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0D, 5)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1010,7 +1669,10 @@ static inline mip_error mip_gnss_data_hardware_status_decode_inline(
 static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0D, 5, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0D, 5, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1022,50 +1684,51 @@ static inline mip_error mip_gnss_data_hardware_status_encode_inline(
 }
 
 /**
- * DGPS info: data (0x81,0x0E).
+ * DGPS info: data 0x0E.
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
- * layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees
- * with the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It is that
- * of mip_gnss_1_dgps_channel and does not agree with its own valid flags (age, base station id,
- * base station status, number of channels).
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the
+ * vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats
+ * and u16. It is that of mip_gnss_data_dgps_channel and does not agree with its own valid flags
+ * (age, base station id, base station status, number of channels).
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
  */
 struct mip_gnss_data_dgps_info {
     /**
-     * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
-     * set. Uncertain: The unit, which follows from mip_gnss_1_dgps_channel.
+     * Age of the corrections. Unit: s. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is
+     * set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
      */
     float age;
     /**
-     * Number of the base station. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID in
+     * Number of the base station. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_ID in
      * valid_flags is set.
      */
     int16_t base_station_id;
     /**
      * State of the base station: 0 to 5 are factors of the user differential range error, which are
      * 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
-     * MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS in valid_flags is set.
+     * MIP_GNSS_DATA_DGPS_INFO_FLAGS_BASE_STATION_STATUS in valid_flags is set.
      */
     int16_t base_station_status;
     /**
      * Number of channels that have corrections. Unit: 1. Valid if
-     * MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
+     * MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
      */
     uint16_t num_channels;
     /** Which values are valid. */
-    mip_gnss_1_dgps_info_flags valid_flags;
+    mip_gnss_data_dgps_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_DGPS_INFO 0x810E
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_DGPS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_INFO_DESCRIPTOR 0x0E
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DGPS_INFO_NAME "gnss_data.dgps_info"
 
 /** Its wire format. */
@@ -1086,7 +1749,10 @@ static inline mip_error mip_gnss_data_dgps_info_encode(const struct mip_gnss_dat
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_data_dgps_info *value,
                                                               const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0E, 12);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0E, 12)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1105,7 +1771,10 @@ static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_da
 static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0E, 12, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0E, 12, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1118,47 +1787,48 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
 }
 
 /**
- * DGPS channel: data (0x81,0x0F).
+ * DGPS channel: data 0x0F.
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known only from the
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Dgps Channel (0x81,0x0F)
  */
 struct mip_gnss_data_dgps_channel {
     /**
-     * Number of the satellite. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID in valid_flags
-     * is set.
+     * Number of the satellite. Valid if MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID in
+     * valid_flags is set.
      */
     uint8_t satellite_id;
     /**
-     * Age of the correction. Unit: s. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE in valid_flags is
-     * set.
+     * Age of the correction. Unit: s. Valid if MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_AGE in valid_flags
+     * is set.
      */
     float age;
     /**
-     * Correction of the range. Unit: m. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION in
-     * valid_flags is set.
+     * Correction of the range. Unit: m. Valid if MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION
+     * in valid_flags is set.
      */
     float range_correction;
     /**
      * Correction of the range rate. Unit: m/s. Valid if
-     * MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
+     * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
      */
     float range_rate_correction;
     /** Which values are valid. */
-    mip_gnss_1_dgps_channel_flags valid_flags;
+    mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_DGPS_CHANNEL 0x810F
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_DGPS_CHANNEL(descriptor_set) MIP_KEY(descriptor_set, 0x0F)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_DESCRIPTOR 0x0F
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_NAME "gnss_data.dgps_channel"
 
 /** Its wire format. */
@@ -1179,7 +1849,10 @@ static inline mip_error mip_gnss_data_dgps_channel_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
     struct mip_gnss_data_dgps_channel *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x0F, 15);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x0F, 15)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1198,7 +1871,10 @@ static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
 static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x0F, 15, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0F, 15, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1211,47 +1887,48 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
 }
 
 /**
- * Clock info 2: data (0x81,0x10).
+ * Clock info 2: data 0x10.
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * It supersedes clock info.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
+ * - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
  */
 struct mip_gnss_data_clock_info_2 {
     /**
-     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is
      * set.
      */
     double bias;
     /**
-     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags is
-     * set.
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags
+     * is set.
      */
     double drift;
     /**
-     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
+     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
      * valid_flags is set.
      */
     double bias_accuracy_estimate;
     /**
-     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
+     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
      * valid_flags is set.
      */
     double drift_accuracy_estimate;
     /** Which values are valid. */
-    mip_gnss_1_clock_info_2_flags valid_flags;
+    mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_CLOCK_INFO_2 0x8110
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_CLOCK_INFO_2(descriptor_set) MIP_KEY(descriptor_set, 0x10)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_DESCRIPTOR 0x10
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_NAME "gnss_data.clock_info_2"
 
 /** Its wire format. */
@@ -1272,7 +1949,10 @@ static inline mip_error mip_gnss_data_clock_info_2_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
     struct mip_gnss_data_clock_info_2 *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x10, 34);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x10, 34)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1291,7 +1971,10 @@ static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
 static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x10, 34, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x10, 34, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1304,30 +1987,31 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
 }
 
 /**
- * GPS leap seconds: data (0x81,0x11).
+ * GPS leap seconds: data 0x11.
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
+ * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
  */
 struct mip_gnss_data_gps_leap_seconds {
     /**
-     * GPS time minus UTC. Unit: s. Valid if MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS in
+     * GPS time minus UTC. Unit: s. Valid if MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS in
      * valid_flags is set.
      */
     uint8_t leap_seconds;
     /** Whether the value is valid. */
-    mip_gnss_1_gps_leap_seconds_flags valid_flags;
+    mip_gnss_data_gps_leap_seconds_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GPS_LEAP_SECONDS 0x8111
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GPS_LEAP_SECONDS(descriptor_set) MIP_KEY(descriptor_set, 0x11)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_NAME "gnss_data.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1348,7 +2032,10 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x11, 3);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x11, 3)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1364,7 +2051,10 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
 static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x11, 3, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x11, 3, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1374,48 +2064,52 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
 }
 
 /**
- * SBAS info: data (0x81,0x12).
+ * SBAS info: data 0x12.
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
+ * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
  */
 struct mip_gnss_data_sbas_info {
-    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_TOW in valid_flags is set. */
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW in valid_flags is set.
+     */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER in valid_flags
-     * is set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
      */
     uint16_t week_number;
     /**
-     * System in use. A value of enum mip_gnss_1_sbas_system. Valid if
-     * MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set.
+     * System in use. A value of enum mip_gnss_data_sbas_system. Valid if
+     * MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set.
      */
     uint8_t sbas_system;
-    /** SBAS satellite. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID in valid_flags is set. */
+    /** SBAS satellite. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_ID in valid_flags is set. */
     uint8_t sbas_id;
     /**
-     * Number of SBAS corrections. Unit: 1. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT in valid_flags
-     * is set.
+     * Number of SBAS corrections. Unit: 1. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_COUNT in
+     * valid_flags is set.
      */
     uint8_t count;
     /**
-     * Status of the service. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS in valid_flags is set.
+     * Status of the service. Valid if MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_STATUS in valid_flags is
+     * set.
      */
-    mip_gnss_1_sbas_status sbas_status;
+    mip_gnss_data_sbas_status sbas_status;
     /** Which values are valid. */
-    mip_gnss_1_sbas_info_flags valid_flags;
+    mip_gnss_data_sbas_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_SBAS_INFO 0x8112
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_SBAS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x12)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_INFO_DESCRIPTOR 0x12
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SBAS_INFO_NAME "gnss_data.sbas_info"
 
 /** Its wire format. */
@@ -1436,7 +2130,10 @@ static inline mip_error mip_gnss_data_sbas_info_encode(const struct mip_gnss_dat
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_data_sbas_info *value,
                                                               const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x12, 16);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x12, 16)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1457,7 +2154,10 @@ static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_da
 static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x12, 16, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x12, 16, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1472,19 +2172,20 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
 }
 
 /**
- * SBAS correction: data (0x81,0x13).
+ * SBAS correction: data 0x13.
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
  * For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
  * 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Sbas Correction (0x81,0x13)
  */
 struct mip_gnss_data_sbas_correction {
     /** Number of this field within the epoch. */
@@ -1502,28 +2203,28 @@ struct mip_gnss_data_sbas_correction {
     /**
      * Indicator of the range error that remains after fast and long-term corrections, not counting
      * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
-     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
+     * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
     /**
      * Correction of the pseudorange. Unit: m. Valid if
-     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
+     * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
      */
     float pseudorange_correction;
     /**
      * Correction of the ionospheric delay. Unit: m. Valid if
-     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
+     * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
      */
     float iono_correction;
     /** Which values are valid. */
-    mip_gnss_1_sbas_correction_flags valid_flags;
+    mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_SBAS_CORRECTION 0x8113
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_SBAS_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x13)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_DESCRIPTOR 0x13
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_NAME "gnss_data.sbas_correction"
 
 /** Its wire format. */
@@ -1544,7 +2245,10 @@ static inline mip_error mip_gnss_data_sbas_correction_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x13, 25);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x13, 25)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1568,7 +2272,10 @@ static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
 static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x13, 25, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x13, 25, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1586,42 +2293,43 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
 }
 
 /**
- * RF error detection: data (0x81,0x14).
+ * RF error detection: data 0x14.
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * No device is certain to support it. Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET,
+ * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
+ * MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
 struct mip_gnss_data_rf_error_detection {
     /**
-     * Band. A value of enum mip_gnss_1_rf_band. Valid if
-     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
+     * Band. A value of enum mip_gnss_data_rf_band. Valid if
+     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
      */
     uint8_t rf_band;
     /**
-     * Jamming. A value of enum mip_gnss_1_jamming_state. Valid if
-     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     * Jamming. A value of enum mip_gnss_data_jamming_state. Valid if
+     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
      */
     uint8_t jamming_state;
     /**
-     * Spoofing. A value of enum mip_gnss_1_spoofing_state. Valid if
-     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     * Spoofing. A value of enum mip_gnss_data_spoofing_state. Valid if
+     * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
      */
     uint8_t spoofing_state;
     /** Reserved. */
     uint8_t reserved[4];
     /** Which values are valid. */
-    mip_gnss_1_rf_error_detection_flags valid_flags;
+    mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_RF_ERROR_DETECTION 0x8114
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION(descriptor_set) MIP_KEY(descriptor_set, 0x14)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_DESCRIPTOR 0x14
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_NAME "gnss_data.rf_error_detection"
 
 /** Its wire format. */
@@ -1642,7 +2350,10 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x14, 9);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x14, 9)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1661,7 +2372,10 @@ static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
 static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x14, 9, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x14, 9, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1674,16 +2388,18 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
 }
 
 /**
- * Satellite status: data (0x81,0x20).
+ * Satellite status: data 0x20.
  *
  * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each satellite; `index` and `count` number the fields.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+ * - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
+ * - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
  */
 struct mip_gnss_data_satellite_status {
     /** Number of this field within the epoch. */
@@ -1691,49 +2407,49 @@ struct mip_gnss_data_satellite_status {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW in valid_flags is
-     * set.
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW in valid_flags
+     * is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
      */
     uint16_t week_number;
     /**
      * Constellation. A value of enum mip_gnss_constellation. Valid if
-     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set.
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set.
      */
     uint8_t gnss_id;
     /**
-     * Satellite within the constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID
-     * in valid_flags is set.
+     * Satellite within the constellation. Valid if
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_SATELLITE_ID in valid_flags is set.
      */
     uint8_t satellite_id;
     /**
      * Elevation, as seen from the rover. Unit: deg. Valid if
-     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
      */
     float elevation;
     /**
      * Azimuth, as seen from the rover. Unit: deg. Valid if
-     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH in valid_flags is set.
+     * MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_AZIMUTH in valid_flags is set.
      */
     float azimuth;
     /**
-     * Whether the satellite is healthy. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH in
+     * Whether the satellite is healthy. Valid if MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH in
      * valid_flags is set.
      */
     mip_bool health;
     /** Which values are valid. */
-    mip_gnss_1_satellite_status_flags valid_flags;
+    mip_gnss_data_satellite_status_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_SATELLITE_STATUS 0x8120
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_SATELLITE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x20)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_DESCRIPTOR 0x20
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_NAME "gnss_data.satellite_status"
 
 /** Its wire format. */
@@ -1754,7 +2470,10 @@ static inline mip_error mip_gnss_data_satellite_status_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_satellite_status_decode_inline(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x20, 25);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x20, 25)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1778,7 +2497,10 @@ static inline mip_error mip_gnss_data_satellite_status_decode_inline(
 static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x20, 25, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x20, 25, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1796,103 +2518,105 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
 }
 
 /**
- * Raw: data (0x81,0x22).
+ * Raw: data 0x22.
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each signal; `index` and `count` number the fields.
  *
  * The greatest lock time depends on the receiver.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+ * - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
  */
 struct mip_gnss_data_raw {
     /** Number of this field within the epoch. */
     uint8_t index;
     /** How many of these fields the epoch has. */
     uint8_t count;
-    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_RAW_FLAGS_TOW in valid_flags is set. */
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RAW_FLAGS_TOW in valid_flags is set. */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER in valid_flags is set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_RAW_FLAGS_WEEK_NUMBER in valid_flags is
+     * set.
      */
     uint16_t week_number;
     /**
      * Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
-     * MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID in valid_flags is set.
+     * MIP_GNSS_DATA_RAW_FLAGS_RECEIVER_ID in valid_flags is set.
      */
     uint16_t receiver_id;
     /**
-     * Channel that tracks the satellite. Valid if MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL in
+     * Channel that tracks the satellite. Valid if MIP_GNSS_DATA_RAW_FLAGS_TRACKING_CHANNEL in
      * valid_flags is set.
      */
     uint8_t tracking_channel;
     /**
-     * Constellation. A value of enum mip_gnss_constellation. Valid if MIP_GNSS_1_RAW_FLAGS_GNSS_ID
-     * in valid_flags is set.
+     * Constellation. A value of enum mip_gnss_constellation. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_GNSS_ID in valid_flags is set.
      */
     uint8_t gnss_id;
     /**
-     * Satellite within the constellation. Valid if MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID in valid_flags
-     * is set.
+     * Satellite within the constellation. Valid if MIP_GNSS_DATA_RAW_FLAGS_SATELLITE_ID in
+     * valid_flags is set.
      */
     uint8_t satellite_id;
     /**
-     * Signal. A value of enum mip_gnss_signal. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID in
+     * Signal. A value of enum mip_gnss_signal. Valid if MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_ID in
      * valid_flags is set.
      */
     uint8_t signal_id;
     /**
-     * Carrier to noise density ratio. Unit: dB-Hz. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH in
-     * valid_flags is set.
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if MIP_GNSS_DATA_RAW_FLAGS_SIGNAL_STRENGTH
+     * in valid_flags is set.
      */
     float signal_strength;
     /**
-     * How well the signal is tracked. A value of enum mip_gnss_1_signal_quality. Valid if
-     * MIP_GNSS_1_RAW_FLAGS_QUALITY in valid_flags is set.
+     * How well the signal is tracked. A value of enum mip_gnss_data_signal_quality. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_QUALITY in valid_flags is set.
      */
     uint8_t quality;
-    /** Pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
+    /** Pseudorange. Unit: m. Valid if MIP_GNSS_DATA_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
     double pseudorange;
     /**
-     * Carrier phase. Unit: cycle. Valid if MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE in valid_flags is
+     * Carrier phase. Unit: cycle. Valid if MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE in valid_flags is
      * set.
      */
     double carrier_phase;
-    /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER in valid_flags is set. */
+    /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_DATA_RAW_FLAGS_DOPPLER in valid_flags is set. */
     float doppler;
     /**
-     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY in
-     * valid_flags is set.
+     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_DATA_RAW_FLAGS_RANGE_UNCERTAINTY
+     * in valid_flags is set.
      */
     float range_uncertainty;
     /**
      * Uncertainty of the carrier phase. Unit: cycle. Valid if
-     * MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
+     * MIP_GNSS_DATA_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
      */
     float phase_uncertainty;
     /**
-     * Uncertainty of the Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY
-     * in valid_flags is set.
+     * Uncertainty of the Doppler shift. Unit: Hz. Valid if
+     * MIP_GNSS_DATA_RAW_FLAGS_DOPPLER_UNCERTAINTY in valid_flags is set.
      */
     float doppler_uncertainty;
     /**
      * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
-     * MIP_GNSS_1_RAW_FLAGS_LOCK_TIME in valid_flags is set.
+     * MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
     /** Which values are valid. */
-    mip_gnss_1_raw_flags valid_flags;
+    mip_gnss_data_raw_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_RAW 0x8122
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_RAW(descriptor_set) MIP_KEY(descriptor_set, 0x22)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RAW_DESCRIPTOR 0x22
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RAW_NAME "gnss_data.raw"
 
 /** Its wire format. */
@@ -1913,7 +2637,10 @@ static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw 
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw *value,
                                                         const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x22, 61);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x22, 61)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1946,7 +2673,10 @@ static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw
 static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_data_raw *value,
                                                         struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x22, 61, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x22, 61, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -1973,55 +2703,56 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
 }
 
 /**
- * Base station info: data (0x81,0x30).
+ * Base station info: data 0x30.
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Base Station Info (0x81,0x30)
+ * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
  */
 struct mip_gnss_data_base_station_info {
     /**
      * GPS time of week at which the message was received. Unit: s. Valid if
-     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
      */
     uint16_t week_number;
     /**
      * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
+     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
      */
     double ecef_position[3];
     /**
      * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
-     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
+     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
      */
     float height;
     /**
      * Number of the station. Range: 0 to 4095. Valid if
-     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
+     * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
      */
     uint16_t station_id;
     /**
-     * Properties of the station. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS in
+     * Properties of the station. Valid if MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_INDICATORS in
      * valid_flags is set.
      */
-    mip_gnss_1_base_station_indicators indicators;
+    mip_gnss_data_base_station_indicators indicators;
     /** Which values are valid. */
-    mip_gnss_1_base_station_info_flags valid_flags;
+    mip_gnss_data_base_station_info_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_BASE_STATION_INFO 0x8130
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_BASE_STATION_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x30)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_DESCRIPTOR 0x30
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_NAME "gnss_data.base_station_info"
 
 /** Its wire format. */
@@ -2042,7 +2773,10 @@ static inline mip_error mip_gnss_data_base_station_info_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_base_station_info_decode_inline(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x30, 44);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x30, 44)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -2065,7 +2799,10 @@ static inline mip_error mip_gnss_data_base_station_info_decode_inline(
 static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x30, 44, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x30, 44, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -2082,69 +2819,70 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
 }
 
 /**
- * RTK corrections status: data (0x81,0x31).
+ * RTK corrections status: data 0x31.
  *
  * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
- * from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+ * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
  */
 struct mip_gnss_data_rtk_corrections_status {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
      * valid_flags is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in
-     * valid_flags is set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER
+     * in valid_flags is set.
      */
     uint16_t week_number;
     /**
      * Corrections received during this epoch. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
-    mip_gnss_1_rtk_epoch_status epoch_status;
+    mip_gnss_data_rtk_epoch_status epoch_status;
     /**
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
      * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
      * Latency of the last GPS correction. Unit: s. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
      */
     float gps_correction_latency;
     /**
      * Latency of the last GLONASS correction. Unit: s. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
      */
     float glonass_correction_latency;
     /**
      * Latency of the last Galileo correction. Unit: s. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
      */
     float galileo_correction_latency;
     /**
      * Latency of the last BeiDou correction. Unit: s. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
+     * MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
      */
     float beidou_correction_latency;
     /** Reserved. */
     uint32_t reserved[4];
     /** Which values are valid. */
-    mip_gnss_1_rtk_corrections_status_flags valid_flags;
+    mip_gnss_data_rtk_corrections_status_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS 0x8131
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x31)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_NAME "gnss_data.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2165,7 +2903,10 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x31, 50);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x31, 50)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -2191,7 +2932,10 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
 static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x31, 50, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x31, 50, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -2211,16 +2955,17 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
 }
 
 /**
- * GPS ephemeris: data (0x81,0x61).
+ * GPS ephemeris: data 0x61.
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
+ * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
 struct mip_gnss_data_gps_ephemeris {
     /** Number of this field within the epoch. */
@@ -2234,145 +2979,151 @@ struct mip_gnss_data_gps_ephemeris {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Health of satellite and signals. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     uint8_t health;
     /**
-     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Issue of data, clock. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t iodc;
     /**
-     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Issue of data, ephemeris. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double t_oc;
-    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    /**
+     * Clock bias. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
     double af0;
     /**
-     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double af1;
     /**
-     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double af2;
     /**
-     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Group delay. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_gd;
     /**
-     * Inter-signal correction for L1. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Inter-signal correction for L1. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double isc_l1ca;
     /**
      * Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     double a;
     /**
-     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double mean_anomaly;
     /**
-     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double delta_mean_motion;
     /**
      * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double argument_of_perigee;
     /**
-     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double omega;
     /**
-     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double inclination;
     /**
-     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double inclination_dot;
     /**
      * Cosine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_ic;
     /**
      * Sine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_is;
     /**
      * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_uc;
     /**
      * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_us;
     /**
      * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rc;
     /**
      * Sine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
     /** What the ephemeris holds. */
-    mip_gnss_1_ephemeris_flags valid_flags;
+    mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GPS_EPHEMERIS 0x8161
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GPS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x61)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_DESCRIPTOR 0x61
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_NAME "gnss_data.gps_ephemeris"
 
 /** Its wire format. */
@@ -2393,7 +3144,10 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x61, 218);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x61, 218)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -2441,7 +3195,10 @@ static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
 static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x61, 218, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x61, 218, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -2483,18 +3240,20 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
 }
 
 /**
- * GLONASS ephemeris: data (0x81,0x62).
+ * GLONASS ephemeris: data 0x62.
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
- * device profile. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `glo_ephemeris`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * The interface control document of GLONASS explains p and ft.
  *
  * A period of four years has 1461 days; no source says how nt, a u8, counts them.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
+ * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
  */
 struct mip_gnss_data_glonass_ephemeris {
     /** Number of this field within the epoch. */
@@ -2509,108 +3268,108 @@ struct mip_gnss_data_glonass_ephemeris {
     uint8_t satellite_id;
     /**
      * GLONASS frequency number. Range: -7 to 24. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     int8_t frequency_number;
     /**
      * Start of the frame within the day. Unit: s. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint32_t tk;
     /**
      * Reference time of the ephemeris. Unit: s. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint32_t tb;
     /**
-     * Generation of the satellite (M). A value of enum mip_gnss_1_glonass_satellite_type. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Generation of the satellite (M). A value of enum mip_gnss_data_glonass_satellite_type. Valid
+     * if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t satellite_type;
     /**
      * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double gamma;
     /**
      * Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double tau_n;
     /**
      * Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double position[3];
     /**
      * Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float velocity[3];
     /**
      * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
-     * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Valid if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
     /**
      * Health (Bn); not 0 if the satellite fails. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t health;
     /**
-     * Mode of operation of the satellite. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Mode of operation of the satellite. Valid if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     uint8_t p;
     /**
      * Day within a period of four years. Unit: day. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t nt;
     /**
      * Time difference between L1 and L2. Unit: s. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float delta_tau_n;
     /**
-     * Code of the user range accuracy. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Code of the user range accuracy. Valid if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     uint8_t ft;
     /**
-     * Age of the information. Unit: day. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Age of the information. Unit: day. Valid if MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     uint8_t en;
     /**
      * Time between adjacent values of tb. Unit: min. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t p1;
     /**
      * 1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t p2;
     /**
      * Number of satellites in the almanac of the frame. Unit: 1. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t p3;
     /**
      * Whether ephemeris parameters are present. Valid if
-     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t p4;
     /** Whether the ephemeris is valid. */
-    mip_gnss_1_glonass_ephemeris_flags valid_flags;
+    mip_gnss_data_glonass_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GLONASS_EPHEMERIS 0x8162
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GLONASS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x62)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_NAME "gnss_data.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2631,7 +3390,10 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x62, 102);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x62, 102)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -2676,7 +3438,10 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
 static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x62, 102, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x62, 102, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -2715,19 +3480,20 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
 }
 
 /**
- * Galileo ephemeris: data (0x81,0x63).
+ * Galileo ephemeris: data 0x63.
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
+ * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
 struct mip_gnss_data_galileo_ephemeris {
     /** Number of this field within the epoch. */
@@ -2741,145 +3507,151 @@ struct mip_gnss_data_galileo_ephemeris {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Health of satellite and signals. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     uint8_t health;
     /**
-     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Issue of data, clock. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t iodc;
     /**
-     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Issue of data, ephemeris. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double t_oc;
-    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    /**
+     * Clock bias. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
     double af0;
     /**
-     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double af1;
     /**
-     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double af2;
     /**
-     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Group delay. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_gd;
     /**
      * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l1ca;
     /**
      * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     double a;
     /**
-     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double mean_anomaly;
     /**
-     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double delta_mean_motion;
     /**
      * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double argument_of_perigee;
     /**
-     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double omega;
     /**
-     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double inclination;
     /**
-     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double inclination_dot;
     /**
      * Cosine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_ic;
     /**
      * Sine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_is;
     /**
      * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_uc;
     /**
      * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_us;
     /**
      * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rc;
     /**
      * Sine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
     /** What the ephemeris holds. */
-    mip_gnss_1_ephemeris_flags valid_flags;
+    mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GALILEO_EPHEMERIS 0x8163
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GALILEO_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x63)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_NAME "gnss_data.galileo_ephemeris"
 
 /** Its wire format. */
@@ -2900,7 +3672,10 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x63, 218);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x63, 218)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -2948,7 +3723,10 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
 static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x63, 218, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x63, 218, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -2990,19 +3768,20 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
 }
 
 /**
- * BeiDou ephemeris: data (0x81,0x64).
+ * BeiDou ephemeris: data 0x64.
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
- * the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
  * The layout is that of the GPS ephemeris. No source says what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
+ * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */
 struct mip_gnss_data_beidou_ephemeris {
     /** Number of this field within the epoch. */
@@ -3016,145 +3795,151 @@ struct mip_gnss_data_beidou_ephemeris {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Health of satellite and signals. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     uint8_t health;
     /**
-     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Issue of data, clock. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t iodc;
     /**
-     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Issue of data, ephemeris. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     uint8_t iode;
     /**
-     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double t_oc;
-    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    /**
+     * Clock bias. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
     double af0;
     /**
-     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double af1;
     /**
-     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double af2;
     /**
-     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Group delay. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double t_gd;
     /**
      * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l1ca;
     /**
      * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
     /**
-     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double t_oe;
     /**
-     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
      */
     double a;
     /**
-     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double a_dot;
     /**
-     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double mean_anomaly;
     /**
-     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double delta_mean_motion;
     /**
      * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double delta_mean_motion_dot;
     /**
-     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double eccentricity;
     /**
-     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
-     * is set.
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
      */
     double argument_of_perigee;
     /**
-     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS
+     * in valid_flags is set.
      */
     double omega;
     /**
-     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double omega_dot;
     /**
-     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * Inclination. Unit: rad. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
      */
     double inclination;
     /**
-     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
     double inclination_dot;
     /**
      * Cosine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_ic;
     /**
      * Sine harmonic correction of the inclination. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_is;
     /**
      * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_uc;
     /**
      * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_us;
     /**
      * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rc;
     /**
      * Sine harmonic correction of the orbit radius. Unit: m. Valid if
-     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double c_rs;
     /** What the ephemeris holds. */
-    mip_gnss_1_ephemeris_flags valid_flags;
+    mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_BEIDOU_EPHEMERIS 0x8164
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_BEIDOU_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x64)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_NAME "gnss_data.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3175,7 +3960,10 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x64, 218);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x64, 218)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -3223,7 +4011,10 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
 static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x64, 218, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x64, 218, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -3265,45 +4056,46 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
 }
 
 /**
- * GPS ionospheric correction: data (0x81,0x71).
+ * GPS ionospheric correction: data 0x71.
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `gps_iono_corr`. Not listed in any
  * device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
 struct mip_gnss_data_gps_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags
-     * is set.
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
      */
     uint16_t week_number;
     /**
-     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA in valid_flags
-     * is set. Uncertain: The units.
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_ALPHA in
+     * valid_flags is set. Uncertain: The units.
      */
     double alpha[4];
     /**
-     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA in valid_flags
-     * is set. Uncertain: The units.
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA in
+     * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
     /** Which values are valid. */
-    mip_gnss_1_gps_iono_correction_flags valid_flags;
+    mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GPS_IONO_CORRECTION 0x8171
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x71)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_NAME "gnss_data.gps_iono_correction"
 
 /** Its wire format. */
@@ -3324,7 +4116,10 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x71, 76);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x71, 76)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -3347,7 +4142,10 @@ static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
 static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x71, 76, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x71, 76, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -3364,46 +4162,48 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
 }
 
 /**
- * Galileo ionospheric correction: data (0x81,0x73).
+ * Galileo ionospheric correction: data 0x73.
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
- * in any device profile. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `galileo_iono_corr`. Not listed in
+ * any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
 struct mip_gnss_data_galileo_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW in
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW in
      * valid_flags is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
-     * valid_flags is set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER
+     * in valid_flags is set.
      */
     uint16_t week_number;
     /**
-     * The three coefficients of the model. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA
-     * in valid_flags is set. Uncertain: The units.
+     * The three coefficients of the model. Valid if
+     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_ALPHA in valid_flags is set. Uncertain: The
+     * units.
      */
     double alpha[3];
     /**
      * Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if
-     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each represents.
+     * MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set.
+     * Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
-    mip_gnss_1_galileo_iono_correction_flags valid_flags;
+    mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION 0x8173
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x73)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_NAME "gnss_data.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3424,7 +4224,10 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x73, 37);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x73, 37)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -3445,7 +4248,10 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
 static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x73, 37, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x73, 37, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -3460,51 +4266,52 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
 }
 
 /**
- * BeiDou ionospheric correction: data (0x81,0x74).
+ * BeiDou ionospheric correction: data 0x74.
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
- * in any device profile. Known only from the MicroStrain MIP SDK.
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `beidou_iono_corr`. Not listed in
+ * any device profile. Known only from the MicroStrain MIP SDK.
  *
- * - mip-sdk-4: Gnss Data (0x81)
+ * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */
 struct mip_gnss_data_beidou_iono_correction {
     /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
      * valid_flags is set.
      */
     double tow;
     /**
-     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
-     * valid_flags is set.
+     * GPS week number. Unit: week. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER
+     * in valid_flags is set.
      */
     uint16_t week_number;
     /**
-     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
      * valid_flags is set. Uncertain: The units.
      */
     double alpha[4];
     /**
-     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
      * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
     /**
      * Nine further coefficients of the delay. Valid if
-     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
+     * MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
      * The units.
      */
     double alpha_correction[9];
     /** Which values are valid. */
-    mip_gnss_1_beidou_iono_correction_flags valid_flags;
+    mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION 0x8174
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x74)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_NAME "gnss_data.beidou_iono_correction"
 
 /** Its wire format. */
@@ -3525,7 +4332,10 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x81, 0x74, 148);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_field_check(field, set, 0x74, 148)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -3551,7 +4361,10 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
 static inline mip_error mip_gnss_data_beidou_iono_correction_encode_inline(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x81, 0x74, 148, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x74, 148, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }

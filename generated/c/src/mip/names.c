@@ -11,11 +11,6 @@
 #include "mip/sensor.h"
 #include "mip/gnss_data.h"
 #include "mip/filter_data.h"
-#include "mip/gnss_1.h"
-#include "mip/gnss_2.h"
-#include "mip/gnss_corrections.h"
-#include "mip/gnss_external.h"
-#include "mip/gnss_external_2.h"
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
@@ -1286,6 +1281,720 @@ const struct mip_names mip_names_sensor_odometer_flags = {name_sensor_odometer_f
                                                           1,
                                                           2};
 
+static const char name_gnss_data_llh_position_flags[] = "gnss_data.llh_position_flags";
+static const char labels_gnss_data_llh_position_flags[] = "lat_lon\0"
+                                                          "ellipsoid_height\0"
+                                                          "msl_height\0"
+                                                          "horizontal_accuracy\0"
+                                                          "vertical_accuracy\0"
+                                                          "flags";
+static const struct mip_named_bits bits_gnss_data_llh_position_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
+};
+const struct mip_names mip_names_gnss_data_llh_position_flags = {
+    name_gnss_data_llh_position_flags,
+    labels_gnss_data_llh_position_flags,
+    NULL,
+    bits_gnss_data_llh_position_flags,
+    6,
+    2};
+
+static const char name_gnss_data_ecef_position_flags[] = "gnss_data.ecef_position_flags";
+static const char labels_gnss_data_ecef_position_flags[] = "position\0"
+                                                           "position_accuracy\0"
+                                                           "flags";
+static const struct mip_named_bits bits_gnss_data_ecef_position_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {0, 2, NULL},
+};
+const struct mip_names mip_names_gnss_data_ecef_position_flags = {
+    name_gnss_data_ecef_position_flags,
+    labels_gnss_data_ecef_position_flags,
+    NULL,
+    bits_gnss_data_ecef_position_flags,
+    3,
+    2};
+
+static const char name_gnss_data_ned_velocity_flags[] = "gnss_data.ned_velocity_flags";
+static const char labels_gnss_data_ned_velocity_flags[] = "velocity\0"
+                                                          "speed_3d\0"
+                                                          "ground_speed\0"
+                                                          "heading\0"
+                                                          "speed_accuracy\0"
+                                                          "heading_accuracy\0"
+                                                          "flags";
+static const struct mip_named_bits bits_gnss_data_ned_velocity_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+};
+const struct mip_names mip_names_gnss_data_ned_velocity_flags = {
+    name_gnss_data_ned_velocity_flags,
+    labels_gnss_data_ned_velocity_flags,
+    NULL,
+    bits_gnss_data_ned_velocity_flags,
+    7,
+    2};
+
+static const char name_gnss_data_ecef_velocity_flags[] = "gnss_data.ecef_velocity_flags";
+static const char labels_gnss_data_ecef_velocity_flags[] = "velocity\0"
+                                                           "velocity_accuracy\0"
+                                                           "flags";
+static const struct mip_named_bits bits_gnss_data_ecef_velocity_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {0, 2, NULL},
+};
+const struct mip_names mip_names_gnss_data_ecef_velocity_flags = {
+    name_gnss_data_ecef_velocity_flags,
+    labels_gnss_data_ecef_velocity_flags,
+    NULL,
+    bits_gnss_data_ecef_velocity_flags,
+    3,
+    2};
+
+static const char name_gnss_data_dop_flags[] = "gnss_data.dop_flags";
+static const char labels_gnss_data_dop_flags[] = "gdop\0"
+                                                 "pdop\0"
+                                                 "hdop\0"
+                                                 "vdop\0"
+                                                 "tdop\0"
+                                                 "ndop\0"
+                                                 "edop\0"
+                                                 "flags";
+static const struct mip_named_bits bits_gnss_data_dop_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
+};
+const struct mip_names mip_names_gnss_data_dop_flags = {
+    name_gnss_data_dop_flags, labels_gnss_data_dop_flags, NULL, bits_gnss_data_dop_flags, 8, 2};
+
+static const char name_gnss_data_utc_time_flags[] = "gnss_data.utc_time_flags";
+static const char labels_gnss_data_utc_time_flags[] = "gnss_date_time\0"
+                                                      "leap_seconds_known\0"
+                                                      "flags";
+static const struct mip_named_bits bits_gnss_data_utc_time_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {0, 2, NULL},
+};
+const struct mip_names mip_names_gnss_data_utc_time_flags = {name_gnss_data_utc_time_flags,
+                                                             labels_gnss_data_utc_time_flags,
+                                                             NULL,
+                                                             bits_gnss_data_utc_time_flags,
+                                                             3,
+                                                             2};
+
+static const char name_gnss_data_gps_time_flags[] = "gnss_data.gps_time_flags";
+static const char labels_gnss_data_gps_time_flags[] = "tow\0"
+                                                      "week_number\0"
+                                                      "flags";
+static const struct mip_named_bits bits_gnss_data_gps_time_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {0, 2, NULL},
+};
+const struct mip_names mip_names_gnss_data_gps_time_flags = {name_gnss_data_gps_time_flags,
+                                                             labels_gnss_data_gps_time_flags,
+                                                             NULL,
+                                                             bits_gnss_data_gps_time_flags,
+                                                             3,
+                                                             2};
+
+static const char name_gnss_data_clock_info_flags[] = "gnss_data.clock_info_flags";
+static const char labels_gnss_data_clock_info_flags[] = "bias\0"
+                                                        "drift\0"
+                                                        "accuracy_estimate\0"
+                                                        "flags";
+static const struct mip_named_bits bits_gnss_data_clock_info_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_clock_info_flags = {name_gnss_data_clock_info_flags,
+                                                               labels_gnss_data_clock_info_flags,
+                                                               NULL,
+                                                               bits_gnss_data_clock_info_flags,
+                                                               4,
+                                                               2};
+
+static const char name_gnss_data_fix_flags[] = "gnss_data.fix_flags";
+static const char labels_gnss_data_fix_flags[] = "sbas_used\0"
+                                                 "dgnss_used";
+static const struct mip_named_bits bits_gnss_data_fix_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_fix_flags = {
+    name_gnss_data_fix_flags, labels_gnss_data_fix_flags, NULL, bits_gnss_data_fix_flags, 2, 2};
+
+static const char name_gnss_data_fix_info_flags[] = "gnss_data.fix_info_flags";
+static const char labels_gnss_data_fix_info_flags[] = "fix_type\0"
+                                                      "num_sv\0"
+                                                      "fix_flags\0"
+                                                      "flags";
+static const struct mip_named_bits bits_gnss_data_fix_info_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_fix_info_flags = {name_gnss_data_fix_info_flags,
+                                                             labels_gnss_data_fix_info_flags,
+                                                             NULL,
+                                                             bits_gnss_data_fix_info_flags,
+                                                             4,
+                                                             2};
+
+static const char name_gnss_data_sv_flags[] = "gnss_data.sv_flags";
+static const char labels_gnss_data_sv_flags[] = "used_for_navigation\0"
+                                                "healthy";
+static const struct mip_named_bits bits_gnss_data_sv_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_sv_flags = {
+    name_gnss_data_sv_flags, labels_gnss_data_sv_flags, NULL, bits_gnss_data_sv_flags, 2, 2};
+
+static const char name_gnss_data_sv_info_flags[] = "gnss_data.sv_info_flags";
+static const char labels_gnss_data_sv_info_flags[] = "channel\0"
+                                                     "satellite_id\0"
+                                                     "carrier_noise_ratio\0"
+                                                     "azimuth\0"
+                                                     "elevation\0"
+                                                     "sv_flags\0"
+                                                     "flags";
+static const struct mip_named_bits bits_gnss_data_sv_info_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+};
+const struct mip_names mip_names_gnss_data_sv_info_flags = {name_gnss_data_sv_info_flags,
+                                                            labels_gnss_data_sv_info_flags,
+                                                            NULL,
+                                                            bits_gnss_data_sv_info_flags,
+                                                            7,
+                                                            2};
+
+static const char name_gnss_data_receiver_state[] = "gnss_data.receiver_state";
+static const char labels_gnss_data_receiver_state[] = "off\0"
+                                                      "on\0"
+                                                      "unknown";
+static const uint8_t numbers_gnss_data_receiver_state[] = {0, 1, 2};
+const struct mip_names mip_names_gnss_data_receiver_state = {name_gnss_data_receiver_state,
+                                                             labels_gnss_data_receiver_state,
+                                                             numbers_gnss_data_receiver_state,
+                                                             NULL,
+                                                             3,
+                                                             1};
+const char *mip_gnss_data_receiver_state_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_receiver_state, value);
+}
+
+static const char name_gnss_data_antenna_state[] = "gnss_data.antenna_state";
+static const char labels_gnss_data_antenna_state[] = "init\0"
+                                                     "short\0"
+                                                     "open\0"
+                                                     "good\0"
+                                                     "unknown";
+static const uint8_t numbers_gnss_data_antenna_state[] = {1, 2, 3, 4, 5};
+const struct mip_names mip_names_gnss_data_antenna_state = {name_gnss_data_antenna_state,
+                                                            labels_gnss_data_antenna_state,
+                                                            numbers_gnss_data_antenna_state,
+                                                            NULL,
+                                                            5,
+                                                            1};
+const char *mip_gnss_data_antenna_state_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_antenna_state, value);
+}
+
+static const char name_gnss_data_antenna_power[] = "gnss_data.antenna_power";
+static const char labels_gnss_data_antenna_power[] = "off\0"
+                                                     "on\0"
+                                                     "unknown";
+static const uint8_t numbers_gnss_data_antenna_power[] = {0, 1, 2};
+const struct mip_names mip_names_gnss_data_antenna_power = {name_gnss_data_antenna_power,
+                                                            labels_gnss_data_antenna_power,
+                                                            numbers_gnss_data_antenna_power,
+                                                            NULL,
+                                                            3,
+                                                            1};
+const char *mip_gnss_data_antenna_power_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_antenna_power, value);
+}
+
+static const char name_gnss_data_hardware_status_flags[] = "gnss_data.hardware_status_flags";
+static const char labels_gnss_data_hardware_status_flags[] = "sensor_state\0"
+                                                             "antenna_state\0"
+                                                             "antenna_power\0"
+                                                             "flags";
+static const struct mip_named_bits bits_gnss_data_hardware_status_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_hardware_status_flags = {
+    name_gnss_data_hardware_status_flags,
+    labels_gnss_data_hardware_status_flags,
+    NULL,
+    bits_gnss_data_hardware_status_flags,
+    4,
+    2};
+
+static const char name_gnss_data_dgps_info_flags[] = "gnss_data.dgps_info_flags";
+static const char labels_gnss_data_dgps_info_flags[] = "age\0"
+                                                       "base_station_id\0"
+                                                       "base_station_status\0"
+                                                       "num_channels\0"
+                                                       "flags";
+static const struct mip_named_bits bits_gnss_data_dgps_info_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+};
+const struct mip_names mip_names_gnss_data_dgps_info_flags = {name_gnss_data_dgps_info_flags,
+                                                              labels_gnss_data_dgps_info_flags,
+                                                              NULL,
+                                                              bits_gnss_data_dgps_info_flags,
+                                                              5,
+                                                              2};
+
+static const char name_gnss_data_dgps_channel_flags[] = "gnss_data.dgps_channel_flags";
+static const char labels_gnss_data_dgps_channel_flags[] = "satellite_id\0"
+                                                          "age\0"
+                                                          "range_correction\0"
+                                                          "range_rate_correction\0"
+                                                          "flags";
+static const struct mip_named_bits bits_gnss_data_dgps_channel_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+};
+const struct mip_names mip_names_gnss_data_dgps_channel_flags = {
+    name_gnss_data_dgps_channel_flags,
+    labels_gnss_data_dgps_channel_flags,
+    NULL,
+    bits_gnss_data_dgps_channel_flags,
+    5,
+    2};
+
+static const char name_gnss_data_clock_info_2_flags[] = "gnss_data.clock_info_2_flags";
+static const char labels_gnss_data_clock_info_2_flags[] = "bias\0"
+                                                          "drift\0"
+                                                          "bias_accuracy\0"
+                                                          "drift_accuracy\0"
+                                                          "flags";
+static const struct mip_named_bits bits_gnss_data_clock_info_2_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+};
+const struct mip_names mip_names_gnss_data_clock_info_2_flags = {
+    name_gnss_data_clock_info_2_flags,
+    labels_gnss_data_clock_info_2_flags,
+    NULL,
+    bits_gnss_data_clock_info_2_flags,
+    5,
+    2};
+
+static const char name_gnss_data_gps_leap_seconds_flags[] = "gnss_data.gps_leap_seconds_flags";
+static const char labels_gnss_data_gps_leap_seconds_flags[] = "leap_seconds";
+static const struct mip_named_bits bits_gnss_data_gps_leap_seconds_flags[] = {
+    {1, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_gps_leap_seconds_flags = {
+    name_gnss_data_gps_leap_seconds_flags,
+    labels_gnss_data_gps_leap_seconds_flags,
+    NULL,
+    bits_gnss_data_gps_leap_seconds_flags,
+    1,
+    2};
+
+static const char name_gnss_data_sbas_system[] = "gnss_data.sbas_system";
+static const char labels_gnss_data_sbas_system[] = "unknown\0"
+                                                   "waas\0"
+                                                   "egnos\0"
+                                                   "msas\0"
+                                                   "gagan";
+static const uint8_t numbers_gnss_data_sbas_system[] = {0, 1, 2, 3, 4};
+const struct mip_names mip_names_gnss_data_sbas_system = {name_gnss_data_sbas_system,
+                                                          labels_gnss_data_sbas_system,
+                                                          numbers_gnss_data_sbas_system,
+                                                          NULL,
+                                                          5,
+                                                          1};
+const char *mip_gnss_data_sbas_system_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_sbas_system, value);
+}
+
+static const char name_gnss_data_sbas_status[] = "gnss_data.sbas_status";
+static const char labels_gnss_data_sbas_status[] = "range_available\0"
+                                                   "corrections_available\0"
+                                                   "integrity_available\0"
+                                                   "test_mode";
+static const struct mip_named_bits bits_gnss_data_sbas_status[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {3, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_sbas_status = {name_gnss_data_sbas_status,
+                                                          labels_gnss_data_sbas_status,
+                                                          NULL,
+                                                          bits_gnss_data_sbas_status,
+                                                          4,
+                                                          1};
+
+static const char name_gnss_data_sbas_info_flags[] = "gnss_data.sbas_info_flags";
+static const char labels_gnss_data_sbas_info_flags[] = "tow\0"
+                                                       "week_number\0"
+                                                       "sbas_system\0"
+                                                       "sbas_id\0"
+                                                       "count\0"
+                                                       "sbas_status\0"
+                                                       "flags";
+static const struct mip_named_bits bits_gnss_data_sbas_info_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+};
+const struct mip_names mip_names_gnss_data_sbas_info_flags = {name_gnss_data_sbas_info_flags,
+                                                              labels_gnss_data_sbas_info_flags,
+                                                              NULL,
+                                                              bits_gnss_data_sbas_info_flags,
+                                                              7,
+                                                              2};
+
+static const char name_gnss_data_sbas_correction_flags[] = "gnss_data.sbas_correction_flags";
+static const char labels_gnss_data_sbas_correction_flags[] = "udrei\0"
+                                                             "pseudorange_correction\0"
+                                                             "iono_correction\0"
+                                                             "flags";
+static const struct mip_named_bits bits_gnss_data_sbas_correction_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_sbas_correction_flags = {
+    name_gnss_data_sbas_correction_flags,
+    labels_gnss_data_sbas_correction_flags,
+    NULL,
+    bits_gnss_data_sbas_correction_flags,
+    4,
+    2};
+
+static const char name_gnss_data_rf_band[] = "gnss_data.rf_band";
+static const char labels_gnss_data_rf_band[] = "unknown\0"
+                                               "l1\0"
+                                               "l2\0"
+                                               "l5";
+static const uint8_t numbers_gnss_data_rf_band[] = {0, 1, 2, 5};
+const struct mip_names mip_names_gnss_data_rf_band = {
+    name_gnss_data_rf_band, labels_gnss_data_rf_band, numbers_gnss_data_rf_band, NULL, 4, 1};
+const char *mip_gnss_data_rf_band_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_rf_band, value);
+}
+
+static const char name_gnss_data_jamming_state[] = "gnss_data.jamming_state";
+static const char labels_gnss_data_jamming_state[] = "unknown\0"
+                                                     "none\0"
+                                                     "partial\0"
+                                                     "significant";
+static const uint8_t numbers_gnss_data_jamming_state[] = {0, 1, 2, 3};
+const struct mip_names mip_names_gnss_data_jamming_state = {name_gnss_data_jamming_state,
+                                                            labels_gnss_data_jamming_state,
+                                                            numbers_gnss_data_jamming_state,
+                                                            NULL,
+                                                            4,
+                                                            1};
+const char *mip_gnss_data_jamming_state_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_jamming_state, value);
+}
+
+static const char name_gnss_data_spoofing_state[] = "gnss_data.spoofing_state";
+static const char labels_gnss_data_spoofing_state[] = "unknown\0"
+                                                      "none\0"
+                                                      "partial\0"
+                                                      "significant";
+static const uint8_t numbers_gnss_data_spoofing_state[] = {0, 1, 2, 3};
+const struct mip_names mip_names_gnss_data_spoofing_state = {name_gnss_data_spoofing_state,
+                                                             labels_gnss_data_spoofing_state,
+                                                             numbers_gnss_data_spoofing_state,
+                                                             NULL,
+                                                             4,
+                                                             1};
+const char *mip_gnss_data_spoofing_state_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_spoofing_state, value);
+}
+
+static const char name_gnss_data_rf_error_detection_flags[] = "gnss_data.rf_error_detection_flags";
+static const char labels_gnss_data_rf_error_detection_flags[] = "rf_band\0"
+                                                                "jamming_state\0"
+                                                                "spoofing_state\0"
+                                                                "flags";
+static const struct mip_named_bits bits_gnss_data_rf_error_detection_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_rf_error_detection_flags = {
+    name_gnss_data_rf_error_detection_flags,
+    labels_gnss_data_rf_error_detection_flags,
+    NULL,
+    bits_gnss_data_rf_error_detection_flags,
+    4,
+    2};
+
+static const char name_gnss_data_satellite_status_flags[] = "gnss_data.satellite_status_flags";
+static const char labels_gnss_data_satellite_status_flags[] = "tow\0"
+                                                              "week_number\0"
+                                                              "gnss_id\0"
+                                                              "satellite_id\0"
+                                                              "elevation\0"
+                                                              "azimuth\0"
+                                                              "health\0"
+                                                              "flags";
+static const struct mip_named_bits bits_gnss_data_satellite_status_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
+};
+const struct mip_names mip_names_gnss_data_satellite_status_flags = {
+    name_gnss_data_satellite_status_flags,
+    labels_gnss_data_satellite_status_flags,
+    NULL,
+    bits_gnss_data_satellite_status_flags,
+    8,
+    2};
+
+static const char name_gnss_data_signal_quality[] = "gnss_data.signal_quality";
+static const char labels_gnss_data_signal_quality[] = "none\0"
+                                                      "searching\0"
+                                                      "acquired\0"
+                                                      "unusable\0"
+                                                      "time_locked\0"
+                                                      "fully_locked";
+static const uint8_t numbers_gnss_data_signal_quality[] = {0, 1, 2, 3, 4, 5};
+const struct mip_names mip_names_gnss_data_signal_quality = {name_gnss_data_signal_quality,
+                                                             labels_gnss_data_signal_quality,
+                                                             numbers_gnss_data_signal_quality,
+                                                             NULL,
+                                                             6,
+                                                             1};
+const char *mip_gnss_data_signal_quality_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_signal_quality, value);
+}
+
+static const char name_gnss_data_raw_flags[] = "gnss_data.raw_flags";
+static const char labels_gnss_data_raw_flags[] = "tow\0"
+                                                 "week_number\0"
+                                                 "receiver_id\0"
+                                                 "tracking_channel\0"
+                                                 "gnss_id\0"
+                                                 "satellite_id\0"
+                                                 "signal_id\0"
+                                                 "signal_strength\0"
+                                                 "quality\0"
+                                                 "pseudorange\0"
+                                                 "carrier_phase\0"
+                                                 "doppler\0"
+                                                 "range_uncertainty\0"
+                                                 "carrier_phase_uncertainty\0"
+                                                 "doppler_uncertainty\0"
+                                                 "lock_time\0"
+                                                 "flags";
+static const struct mip_named_bits bits_gnss_data_raw_flags[] = {
+    {0, 1, NULL},  {1, 1, NULL},  {2, 1, NULL},  {3, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},
+    {6, 1, NULL},  {7, 1, NULL},  {8, 1, NULL},  {9, 1, NULL},  {10, 1, NULL}, {11, 1, NULL},
+    {12, 1, NULL}, {13, 1, NULL}, {14, 1, NULL}, {15, 1, NULL}, {0, 16, NULL},
+};
+const struct mip_names mip_names_gnss_data_raw_flags = {
+    name_gnss_data_raw_flags, labels_gnss_data_raw_flags, NULL, bits_gnss_data_raw_flags, 17, 2};
+
+static const char name_gnss_data_base_station_indicators[] = "gnss_data.base_station_indicators";
+static const char labels_gnss_data_base_station_indicators[] = "gps\0"
+                                                               "glonass\0"
+                                                               "galileo\0"
+                                                               "beidou\0"
+                                                               "reference_station\0"
+                                                               "single_receiver\0"
+                                                               "quarter_cycle_bit1\0"
+                                                               "quarter_cycle_bit2\0"
+                                                               "quarter_cycle_bits";
+static const struct mip_named_bits bits_gnss_data_base_station_indicators[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
+    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {6, 2, NULL},
+};
+const struct mip_names mip_names_gnss_data_base_station_indicators = {
+    name_gnss_data_base_station_indicators,
+    labels_gnss_data_base_station_indicators,
+    NULL,
+    bits_gnss_data_base_station_indicators,
+    9,
+    2};
+
+static const char name_gnss_data_base_station_info_flags[] = "gnss_data.base_station_info_flags";
+static const char labels_gnss_data_base_station_info_flags[] = "tow\0"
+                                                               "week_number\0"
+                                                               "ecef_position\0"
+                                                               "height\0"
+                                                               "station_id\0"
+                                                               "indicators\0"
+                                                               "flags";
+static const struct mip_named_bits bits_gnss_data_base_station_info_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
+    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
+};
+const struct mip_names mip_names_gnss_data_base_station_info_flags = {
+    name_gnss_data_base_station_info_flags,
+    labels_gnss_data_base_station_info_flags,
+    NULL,
+    bits_gnss_data_base_station_info_flags,
+    7,
+    2};
+
+static const char name_gnss_data_rtk_epoch_status[] = "gnss_data.rtk_epoch_status";
+static const char labels_gnss_data_rtk_epoch_status[] = "antenna_location_received\0"
+                                                        "antenna_description_received\0"
+                                                        "gps_received\0"
+                                                        "glonass_received\0"
+                                                        "galileo_received\0"
+                                                        "beidou_received\0"
+                                                        "using_gps_msm_messages\0"
+                                                        "using_glonass_msm_messages\0"
+                                                        "dongle_status_read_failed";
+static const struct mip_named_bits bits_gnss_data_rtk_epoch_status[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
+    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {8, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_rtk_epoch_status = {name_gnss_data_rtk_epoch_status,
+                                                               labels_gnss_data_rtk_epoch_status,
+                                                               NULL,
+                                                               bits_gnss_data_rtk_epoch_status,
+                                                               9,
+                                                               2};
+
+static const char name_gnss_data_rtk_corrections_status_flags[] =
+    "gnss_data.rtk_corrections_status_flags";
+static const char labels_gnss_data_rtk_corrections_status_flags[] = "tow\0"
+                                                                    "week_number\0"
+                                                                    "epoch_status\0"
+                                                                    "dongle_status\0"
+                                                                    "gps_latency\0"
+                                                                    "glonass_latency\0"
+                                                                    "galileo_latency\0"
+                                                                    "beidou_latency\0"
+                                                                    "flags";
+static const struct mip_named_bits bits_gnss_data_rtk_corrections_status_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
+    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {0, 8, NULL},
+};
+const struct mip_names mip_names_gnss_data_rtk_corrections_status_flags = {
+    name_gnss_data_rtk_corrections_status_flags,
+    labels_gnss_data_rtk_corrections_status_flags,
+    NULL,
+    bits_gnss_data_rtk_corrections_status_flags,
+    9,
+    2};
+
+static const char name_gnss_data_ephemeris_flags[] = "gnss_data.ephemeris_flags";
+static const char labels_gnss_data_ephemeris_flags[] = "ephemeris\0"
+                                                       "modern_data\0"
+                                                       "isc_l5\0"
+                                                       "flags";
+static const struct mip_named_bits bits_gnss_data_ephemeris_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_ephemeris_flags = {name_gnss_data_ephemeris_flags,
+                                                              labels_gnss_data_ephemeris_flags,
+                                                              NULL,
+                                                              bits_gnss_data_ephemeris_flags,
+                                                              4,
+                                                              2};
+
+static const char name_gnss_data_glonass_satellite_type[] = "gnss_data.glonass_satellite_type";
+static const char labels_gnss_data_glonass_satellite_type[] = "glonass\0"
+                                                              "glonass_m";
+static const uint8_t numbers_gnss_data_glonass_satellite_type[] = {0, 1};
+const struct mip_names mip_names_gnss_data_glonass_satellite_type = {
+    name_gnss_data_glonass_satellite_type,
+    labels_gnss_data_glonass_satellite_type,
+    numbers_gnss_data_glonass_satellite_type,
+    NULL,
+    2,
+    1};
+const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_glonass_satellite_type, value);
+}
+
+static const char name_gnss_data_glonass_ephemeris_flags[] = "gnss_data.glonass_ephemeris_flags";
+static const char labels_gnss_data_glonass_ephemeris_flags[] = "ephemeris\0"
+                                                               "flags";
+static const struct mip_named_bits bits_gnss_data_glonass_ephemeris_flags[] = {
+    {0, 1, NULL},
+    {0, 1, NULL},
+};
+const struct mip_names mip_names_gnss_data_glonass_ephemeris_flags = {
+    name_gnss_data_glonass_ephemeris_flags,
+    labels_gnss_data_glonass_ephemeris_flags,
+    NULL,
+    bits_gnss_data_glonass_ephemeris_flags,
+    2,
+    2};
+
+static const char name_gnss_data_gps_iono_correction_flags[] =
+    "gnss_data.gps_iono_correction_flags";
+static const char labels_gnss_data_gps_iono_correction_flags[] = "tow\0"
+                                                                 "week_number\0"
+                                                                 "alpha\0"
+                                                                 "beta\0"
+                                                                 "flags";
+static const struct mip_named_bits bits_gnss_data_gps_iono_correction_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+};
+const struct mip_names mip_names_gnss_data_gps_iono_correction_flags = {
+    name_gnss_data_gps_iono_correction_flags,
+    labels_gnss_data_gps_iono_correction_flags,
+    NULL,
+    bits_gnss_data_gps_iono_correction_flags,
+    5,
+    2};
+
+static const char name_gnss_data_galileo_iono_correction_flags[] =
+    "gnss_data.galileo_iono_correction_flags";
+static const char labels_gnss_data_galileo_iono_correction_flags[] = "tow\0"
+                                                                     "week_number\0"
+                                                                     "alpha\0"
+                                                                     "disturbance_flags\0"
+                                                                     "flags";
+static const struct mip_named_bits bits_gnss_data_galileo_iono_correction_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
+};
+const struct mip_names mip_names_gnss_data_galileo_iono_correction_flags = {
+    name_gnss_data_galileo_iono_correction_flags,
+    labels_gnss_data_galileo_iono_correction_flags,
+    NULL,
+    bits_gnss_data_galileo_iono_correction_flags,
+    5,
+    2};
+
+static const char name_gnss_data_beidou_iono_correction_flags[] =
+    "gnss_data.beidou_iono_correction_flags";
+static const char labels_gnss_data_beidou_iono_correction_flags[] = "tow\0"
+                                                                    "week_number\0"
+                                                                    "alpha\0"
+                                                                    "beta\0"
+                                                                    "alpha_correction\0"
+                                                                    "flags";
+static const struct mip_named_bits bits_gnss_data_beidou_iono_correction_flags[] = {
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
+};
+const struct mip_names mip_names_gnss_data_beidou_iono_correction_flags = {
+    name_gnss_data_beidou_iono_correction_flags,
+    labels_gnss_data_beidou_iono_correction_flags,
+    NULL,
+    bits_gnss_data_beidou_iono_correction_flags,
+    6,
+    2};
+
 static const char name_filter_data_valid_flags[] = "filter_data.valid_flags";
 static const char labels_filter_data_valid_flags[] = "valid";
 static const struct mip_named_bits bits_filter_data_valid_flags[] = {
@@ -1585,701 +2294,6 @@ const struct mip_names mip_names_filter_data_cv7_status_flags = {
     11,
     2};
 
-static const char name_gnss_1_llh_position_flags[] = "gnss_1.llh_position_flags";
-static const char labels_gnss_1_llh_position_flags[] = "lat_lon\0"
-                                                       "ellipsoid_height\0"
-                                                       "msl_height\0"
-                                                       "horizontal_accuracy\0"
-                                                       "vertical_accuracy\0"
-                                                       "flags";
-static const struct mip_named_bits bits_gnss_1_llh_position_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
-};
-const struct mip_names mip_names_gnss_1_llh_position_flags = {name_gnss_1_llh_position_flags,
-                                                              labels_gnss_1_llh_position_flags,
-                                                              NULL,
-                                                              bits_gnss_1_llh_position_flags,
-                                                              6,
-                                                              2};
-
-static const char name_gnss_1_ecef_position_flags[] = "gnss_1.ecef_position_flags";
-static const char labels_gnss_1_ecef_position_flags[] = "position\0"
-                                                        "position_accuracy\0"
-                                                        "flags";
-static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
-};
-const struct mip_names mip_names_gnss_1_ecef_position_flags = {name_gnss_1_ecef_position_flags,
-                                                               labels_gnss_1_ecef_position_flags,
-                                                               NULL,
-                                                               bits_gnss_1_ecef_position_flags,
-                                                               3,
-                                                               2};
-
-static const char name_gnss_1_ned_velocity_flags[] = "gnss_1.ned_velocity_flags";
-static const char labels_gnss_1_ned_velocity_flags[] = "velocity\0"
-                                                       "speed_3d\0"
-                                                       "ground_speed\0"
-                                                       "heading\0"
-                                                       "speed_accuracy\0"
-                                                       "heading_accuracy\0"
-                                                       "flags";
-static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
-};
-const struct mip_names mip_names_gnss_1_ned_velocity_flags = {name_gnss_1_ned_velocity_flags,
-                                                              labels_gnss_1_ned_velocity_flags,
-                                                              NULL,
-                                                              bits_gnss_1_ned_velocity_flags,
-                                                              7,
-                                                              2};
-
-static const char name_gnss_1_ecef_velocity_flags[] = "gnss_1.ecef_velocity_flags";
-static const char labels_gnss_1_ecef_velocity_flags[] = "velocity\0"
-                                                        "velocity_accuracy\0"
-                                                        "flags";
-static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
-};
-const struct mip_names mip_names_gnss_1_ecef_velocity_flags = {name_gnss_1_ecef_velocity_flags,
-                                                               labels_gnss_1_ecef_velocity_flags,
-                                                               NULL,
-                                                               bits_gnss_1_ecef_velocity_flags,
-                                                               3,
-                                                               2};
-
-static const char name_gnss_1_dop_flags[] = "gnss_1.dop_flags";
-static const char labels_gnss_1_dop_flags[] = "gdop\0"
-                                              "pdop\0"
-                                              "hdop\0"
-                                              "vdop\0"
-                                              "tdop\0"
-                                              "ndop\0"
-                                              "edop\0"
-                                              "flags";
-static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
-};
-const struct mip_names mip_names_gnss_1_dop_flags = {
-    name_gnss_1_dop_flags, labels_gnss_1_dop_flags, NULL, bits_gnss_1_dop_flags, 8, 2};
-
-static const char name_gnss_1_utc_time_flags[] = "gnss_1.utc_time_flags";
-static const char labels_gnss_1_utc_time_flags[] = "gnss_date_time\0"
-                                                   "leap_seconds_known\0"
-                                                   "flags";
-static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
-};
-const struct mip_names mip_names_gnss_1_utc_time_flags = {name_gnss_1_utc_time_flags,
-                                                          labels_gnss_1_utc_time_flags,
-                                                          NULL,
-                                                          bits_gnss_1_utc_time_flags,
-                                                          3,
-                                                          2};
-
-static const char name_gnss_1_gps_time_flags[] = "gnss_1.gps_time_flags";
-static const char labels_gnss_1_gps_time_flags[] = "tow\0"
-                                                   "week_number\0"
-                                                   "flags";
-static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {0, 2, NULL},
-};
-const struct mip_names mip_names_gnss_1_gps_time_flags = {name_gnss_1_gps_time_flags,
-                                                          labels_gnss_1_gps_time_flags,
-                                                          NULL,
-                                                          bits_gnss_1_gps_time_flags,
-                                                          3,
-                                                          2};
-
-static const char name_gnss_1_clock_info_flags[] = "gnss_1.clock_info_flags";
-static const char labels_gnss_1_clock_info_flags[] = "bias\0"
-                                                     "drift\0"
-                                                     "accuracy_estimate\0"
-                                                     "flags";
-static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_clock_info_flags = {name_gnss_1_clock_info_flags,
-                                                            labels_gnss_1_clock_info_flags,
-                                                            NULL,
-                                                            bits_gnss_1_clock_info_flags,
-                                                            4,
-                                                            2};
-
-static const char name_gnss_1_fix_flags[] = "gnss_1.fix_flags";
-static const char labels_gnss_1_fix_flags[] = "sbas_used\0"
-                                              "dgnss_used";
-static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_fix_flags = {
-    name_gnss_1_fix_flags, labels_gnss_1_fix_flags, NULL, bits_gnss_1_fix_flags, 2, 2};
-
-static const char name_gnss_1_fix_info_flags[] = "gnss_1.fix_info_flags";
-static const char labels_gnss_1_fix_info_flags[] = "fix_type\0"
-                                                   "num_sv\0"
-                                                   "fix_flags\0"
-                                                   "flags";
-static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_fix_info_flags = {name_gnss_1_fix_info_flags,
-                                                          labels_gnss_1_fix_info_flags,
-                                                          NULL,
-                                                          bits_gnss_1_fix_info_flags,
-                                                          4,
-                                                          2};
-
-static const char name_gnss_1_sv_flags[] = "gnss_1.sv_flags";
-static const char labels_gnss_1_sv_flags[] = "used_for_navigation\0"
-                                             "healthy";
-static const struct mip_named_bits bits_gnss_1_sv_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_sv_flags = {
-    name_gnss_1_sv_flags, labels_gnss_1_sv_flags, NULL, bits_gnss_1_sv_flags, 2, 2};
-
-static const char name_gnss_1_sv_info_flags[] = "gnss_1.sv_info_flags";
-static const char labels_gnss_1_sv_info_flags[] = "channel\0"
-                                                  "satellite_id\0"
-                                                  "carrier_noise_ratio\0"
-                                                  "azimuth\0"
-                                                  "elevation\0"
-                                                  "sv_flags\0"
-                                                  "flags";
-static const struct mip_named_bits bits_gnss_1_sv_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
-};
-const struct mip_names mip_names_gnss_1_sv_info_flags = {
-    name_gnss_1_sv_info_flags, labels_gnss_1_sv_info_flags, NULL, bits_gnss_1_sv_info_flags, 7, 2};
-
-static const char name_gnss_1_receiver_state[] = "gnss_1.receiver_state";
-static const char labels_gnss_1_receiver_state[] = "off\0"
-                                                   "on\0"
-                                                   "unknown";
-static const uint8_t numbers_gnss_1_receiver_state[] = {0, 1, 2};
-const struct mip_names mip_names_gnss_1_receiver_state = {name_gnss_1_receiver_state,
-                                                          labels_gnss_1_receiver_state,
-                                                          numbers_gnss_1_receiver_state,
-                                                          NULL,
-                                                          3,
-                                                          1};
-const char *mip_gnss_1_receiver_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_receiver_state, value);
-}
-
-static const char name_gnss_1_antenna_state[] = "gnss_1.antenna_state";
-static const char labels_gnss_1_antenna_state[] = "init\0"
-                                                  "short\0"
-                                                  "open\0"
-                                                  "good\0"
-                                                  "unknown";
-static const uint8_t numbers_gnss_1_antenna_state[] = {1, 2, 3, 4, 5};
-const struct mip_names mip_names_gnss_1_antenna_state = {name_gnss_1_antenna_state,
-                                                         labels_gnss_1_antenna_state,
-                                                         numbers_gnss_1_antenna_state,
-                                                         NULL,
-                                                         5,
-                                                         1};
-const char *mip_gnss_1_antenna_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_antenna_state, value);
-}
-
-static const char name_gnss_1_antenna_power[] = "gnss_1.antenna_power";
-static const char labels_gnss_1_antenna_power[] = "off\0"
-                                                  "on\0"
-                                                  "unknown";
-static const uint8_t numbers_gnss_1_antenna_power[] = {0, 1, 2};
-const struct mip_names mip_names_gnss_1_antenna_power = {name_gnss_1_antenna_power,
-                                                         labels_gnss_1_antenna_power,
-                                                         numbers_gnss_1_antenna_power,
-                                                         NULL,
-                                                         3,
-                                                         1};
-const char *mip_gnss_1_antenna_power_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_antenna_power, value);
-}
-
-static const char name_gnss_1_hardware_status_flags[] = "gnss_1.hardware_status_flags";
-static const char labels_gnss_1_hardware_status_flags[] = "sensor_state\0"
-                                                          "antenna_state\0"
-                                                          "antenna_power\0"
-                                                          "flags";
-static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_hardware_status_flags = {
-    name_gnss_1_hardware_status_flags,
-    labels_gnss_1_hardware_status_flags,
-    NULL,
-    bits_gnss_1_hardware_status_flags,
-    4,
-    2};
-
-static const char name_gnss_1_dgps_info_flags[] = "gnss_1.dgps_info_flags";
-static const char labels_gnss_1_dgps_info_flags[] = "age\0"
-                                                    "base_station_id\0"
-                                                    "base_station_status\0"
-                                                    "num_channels\0"
-                                                    "flags";
-static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
-};
-const struct mip_names mip_names_gnss_1_dgps_info_flags = {name_gnss_1_dgps_info_flags,
-                                                           labels_gnss_1_dgps_info_flags,
-                                                           NULL,
-                                                           bits_gnss_1_dgps_info_flags,
-                                                           5,
-                                                           2};
-
-static const char name_gnss_1_dgps_channel_flags[] = "gnss_1.dgps_channel_flags";
-static const char labels_gnss_1_dgps_channel_flags[] = "satellite_id\0"
-                                                       "age\0"
-                                                       "range_correction\0"
-                                                       "range_rate_correction\0"
-                                                       "flags";
-static const struct mip_named_bits bits_gnss_1_dgps_channel_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
-};
-const struct mip_names mip_names_gnss_1_dgps_channel_flags = {name_gnss_1_dgps_channel_flags,
-                                                              labels_gnss_1_dgps_channel_flags,
-                                                              NULL,
-                                                              bits_gnss_1_dgps_channel_flags,
-                                                              5,
-                                                              2};
-
-static const char name_gnss_1_clock_info_2_flags[] = "gnss_1.clock_info_2_flags";
-static const char labels_gnss_1_clock_info_2_flags[] = "bias\0"
-                                                       "drift\0"
-                                                       "bias_accuracy\0"
-                                                       "drift_accuracy\0"
-                                                       "flags";
-static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
-};
-const struct mip_names mip_names_gnss_1_clock_info_2_flags = {name_gnss_1_clock_info_2_flags,
-                                                              labels_gnss_1_clock_info_2_flags,
-                                                              NULL,
-                                                              bits_gnss_1_clock_info_2_flags,
-                                                              5,
-                                                              2};
-
-static const char name_gnss_1_gps_leap_seconds_flags[] = "gnss_1.gps_leap_seconds_flags";
-static const char labels_gnss_1_gps_leap_seconds_flags[] = "leap_seconds";
-static const struct mip_named_bits bits_gnss_1_gps_leap_seconds_flags[] = {
-    {1, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_gps_leap_seconds_flags = {
-    name_gnss_1_gps_leap_seconds_flags,
-    labels_gnss_1_gps_leap_seconds_flags,
-    NULL,
-    bits_gnss_1_gps_leap_seconds_flags,
-    1,
-    2};
-
-static const char name_gnss_1_sbas_system[] = "gnss_1.sbas_system";
-static const char labels_gnss_1_sbas_system[] = "unknown\0"
-                                                "waas\0"
-                                                "egnos\0"
-                                                "msas\0"
-                                                "gagan";
-static const uint8_t numbers_gnss_1_sbas_system[] = {0, 1, 2, 3, 4};
-const struct mip_names mip_names_gnss_1_sbas_system = {
-    name_gnss_1_sbas_system, labels_gnss_1_sbas_system, numbers_gnss_1_sbas_system, NULL, 5, 1};
-const char *mip_gnss_1_sbas_system_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_sbas_system, value);
-}
-
-static const char name_gnss_1_sbas_status[] = "gnss_1.sbas_status";
-static const char labels_gnss_1_sbas_status[] = "range_available\0"
-                                                "corrections_available\0"
-                                                "integrity_available\0"
-                                                "test_mode";
-static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {3, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_sbas_status = {
-    name_gnss_1_sbas_status, labels_gnss_1_sbas_status, NULL, bits_gnss_1_sbas_status, 4, 1};
-
-static const char name_gnss_1_sbas_info_flags[] = "gnss_1.sbas_info_flags";
-static const char labels_gnss_1_sbas_info_flags[] = "tow\0"
-                                                    "week_number\0"
-                                                    "sbas_system\0"
-                                                    "sbas_id\0"
-                                                    "count\0"
-                                                    "sbas_status\0"
-                                                    "flags";
-static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
-};
-const struct mip_names mip_names_gnss_1_sbas_info_flags = {name_gnss_1_sbas_info_flags,
-                                                           labels_gnss_1_sbas_info_flags,
-                                                           NULL,
-                                                           bits_gnss_1_sbas_info_flags,
-                                                           7,
-                                                           2};
-
-static const char name_gnss_1_sbas_correction_flags[] = "gnss_1.sbas_correction_flags";
-static const char labels_gnss_1_sbas_correction_flags[] = "udrei\0"
-                                                          "pseudorange_correction\0"
-                                                          "iono_correction\0"
-                                                          "flags";
-static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_sbas_correction_flags = {
-    name_gnss_1_sbas_correction_flags,
-    labels_gnss_1_sbas_correction_flags,
-    NULL,
-    bits_gnss_1_sbas_correction_flags,
-    4,
-    2};
-
-static const char name_gnss_1_rf_band[] = "gnss_1.rf_band";
-static const char labels_gnss_1_rf_band[] = "unknown\0"
-                                            "l1\0"
-                                            "l2\0"
-                                            "l5";
-static const uint8_t numbers_gnss_1_rf_band[] = {0, 1, 2, 5};
-const struct mip_names mip_names_gnss_1_rf_band = {
-    name_gnss_1_rf_band, labels_gnss_1_rf_band, numbers_gnss_1_rf_band, NULL, 4, 1};
-const char *mip_gnss_1_rf_band_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_rf_band, value);
-}
-
-static const char name_gnss_1_jamming_state[] = "gnss_1.jamming_state";
-static const char labels_gnss_1_jamming_state[] = "unknown\0"
-                                                  "none\0"
-                                                  "partial\0"
-                                                  "significant";
-static const uint8_t numbers_gnss_1_jamming_state[] = {0, 1, 2, 3};
-const struct mip_names mip_names_gnss_1_jamming_state = {name_gnss_1_jamming_state,
-                                                         labels_gnss_1_jamming_state,
-                                                         numbers_gnss_1_jamming_state,
-                                                         NULL,
-                                                         4,
-                                                         1};
-const char *mip_gnss_1_jamming_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_jamming_state, value);
-}
-
-static const char name_gnss_1_spoofing_state[] = "gnss_1.spoofing_state";
-static const char labels_gnss_1_spoofing_state[] = "unknown\0"
-                                                   "none\0"
-                                                   "partial\0"
-                                                   "significant";
-static const uint8_t numbers_gnss_1_spoofing_state[] = {0, 1, 2, 3};
-const struct mip_names mip_names_gnss_1_spoofing_state = {name_gnss_1_spoofing_state,
-                                                          labels_gnss_1_spoofing_state,
-                                                          numbers_gnss_1_spoofing_state,
-                                                          NULL,
-                                                          4,
-                                                          1};
-const char *mip_gnss_1_spoofing_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_spoofing_state, value);
-}
-
-static const char name_gnss_1_rf_error_detection_flags[] = "gnss_1.rf_error_detection_flags";
-static const char labels_gnss_1_rf_error_detection_flags[] = "rf_band\0"
-                                                             "jamming_state\0"
-                                                             "spoofing_state\0"
-                                                             "flags";
-static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_rf_error_detection_flags = {
-    name_gnss_1_rf_error_detection_flags,
-    labels_gnss_1_rf_error_detection_flags,
-    NULL,
-    bits_gnss_1_rf_error_detection_flags,
-    4,
-    2};
-
-static const char name_gnss_1_satellite_status_flags[] = "gnss_1.satellite_status_flags";
-static const char labels_gnss_1_satellite_status_flags[] = "tow\0"
-                                                           "week_number\0"
-                                                           "gnss_id\0"
-                                                           "satellite_id\0"
-                                                           "elevation\0"
-                                                           "azimuth\0"
-                                                           "health\0"
-                                                           "flags";
-static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {6, 1, NULL}, {0, 7, NULL},
-};
-const struct mip_names mip_names_gnss_1_satellite_status_flags = {
-    name_gnss_1_satellite_status_flags,
-    labels_gnss_1_satellite_status_flags,
-    NULL,
-    bits_gnss_1_satellite_status_flags,
-    8,
-    2};
-
-static const char name_gnss_1_signal_quality[] = "gnss_1.signal_quality";
-static const char labels_gnss_1_signal_quality[] = "none\0"
-                                                   "searching\0"
-                                                   "acquired\0"
-                                                   "unusable\0"
-                                                   "time_locked\0"
-                                                   "fully_locked";
-static const uint8_t numbers_gnss_1_signal_quality[] = {0, 1, 2, 3, 4, 5};
-const struct mip_names mip_names_gnss_1_signal_quality = {name_gnss_1_signal_quality,
-                                                          labels_gnss_1_signal_quality,
-                                                          numbers_gnss_1_signal_quality,
-                                                          NULL,
-                                                          6,
-                                                          1};
-const char *mip_gnss_1_signal_quality_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_signal_quality, value);
-}
-
-static const char name_gnss_1_raw_flags[] = "gnss_1.raw_flags";
-static const char labels_gnss_1_raw_flags[] = "tow\0"
-                                              "week_number\0"
-                                              "receiver_id\0"
-                                              "tracking_channel\0"
-                                              "gnss_id\0"
-                                              "satellite_id\0"
-                                              "signal_id\0"
-                                              "signal_strength\0"
-                                              "quality\0"
-                                              "pseudorange\0"
-                                              "carrier_phase\0"
-                                              "doppler\0"
-                                              "range_uncertainty\0"
-                                              "carrier_phase_uncertainty\0"
-                                              "doppler_uncertainty\0"
-                                              "lock_time\0"
-                                              "flags";
-static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
-    {0, 1, NULL},  {1, 1, NULL},  {2, 1, NULL},  {3, 1, NULL},  {4, 1, NULL},  {5, 1, NULL},
-    {6, 1, NULL},  {7, 1, NULL},  {8, 1, NULL},  {9, 1, NULL},  {10, 1, NULL}, {11, 1, NULL},
-    {12, 1, NULL}, {13, 1, NULL}, {14, 1, NULL}, {15, 1, NULL}, {0, 16, NULL},
-};
-const struct mip_names mip_names_gnss_1_raw_flags = {
-    name_gnss_1_raw_flags, labels_gnss_1_raw_flags, NULL, bits_gnss_1_raw_flags, 17, 2};
-
-static const char name_gnss_1_base_station_indicators[] = "gnss_1.base_station_indicators";
-static const char labels_gnss_1_base_station_indicators[] = "gps\0"
-                                                            "glonass\0"
-                                                            "galileo\0"
-                                                            "beidou\0"
-                                                            "reference_station\0"
-                                                            "single_receiver\0"
-                                                            "quarter_cycle_bit1\0"
-                                                            "quarter_cycle_bit2\0"
-                                                            "quarter_cycle_bits";
-static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {6, 2, NULL},
-};
-const struct mip_names mip_names_gnss_1_base_station_indicators = {
-    name_gnss_1_base_station_indicators,
-    labels_gnss_1_base_station_indicators,
-    NULL,
-    bits_gnss_1_base_station_indicators,
-    9,
-    2};
-
-static const char name_gnss_1_base_station_info_flags[] = "gnss_1.base_station_info_flags";
-static const char labels_gnss_1_base_station_info_flags[] = "tow\0"
-                                                            "week_number\0"
-                                                            "ecef_position\0"
-                                                            "height\0"
-                                                            "station_id\0"
-                                                            "indicators\0"
-                                                            "flags";
-static const struct mip_named_bits bits_gnss_1_base_station_info_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL},
-    {4, 1, NULL}, {5, 1, NULL}, {0, 6, NULL},
-};
-const struct mip_names mip_names_gnss_1_base_station_info_flags = {
-    name_gnss_1_base_station_info_flags,
-    labels_gnss_1_base_station_info_flags,
-    NULL,
-    bits_gnss_1_base_station_info_flags,
-    7,
-    2};
-
-static const char name_gnss_1_rtk_epoch_status[] = "gnss_1.rtk_epoch_status";
-static const char labels_gnss_1_rtk_epoch_status[] = "antenna_location_received\0"
-                                                     "antenna_description_received\0"
-                                                     "gps_received\0"
-                                                     "glonass_received\0"
-                                                     "galileo_received\0"
-                                                     "beidou_received\0"
-                                                     "using_gps_msm_messages\0"
-                                                     "using_glonass_msm_messages\0"
-                                                     "dongle_status_read_failed";
-static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {8, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_rtk_epoch_status = {name_gnss_1_rtk_epoch_status,
-                                                            labels_gnss_1_rtk_epoch_status,
-                                                            NULL,
-                                                            bits_gnss_1_rtk_epoch_status,
-                                                            9,
-                                                            2};
-
-static const char name_gnss_1_rtk_corrections_status_flags[] =
-    "gnss_1.rtk_corrections_status_flags";
-static const char labels_gnss_1_rtk_corrections_status_flags[] = "tow\0"
-                                                                 "week_number\0"
-                                                                 "epoch_status\0"
-                                                                 "dongle_status\0"
-                                                                 "gps_latency\0"
-                                                                 "glonass_latency\0"
-                                                                 "galileo_latency\0"
-                                                                 "beidou_latency\0"
-                                                                 "flags";
-static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL},
-    {5, 1, NULL}, {6, 1, NULL}, {7, 1, NULL}, {0, 8, NULL},
-};
-const struct mip_names mip_names_gnss_1_rtk_corrections_status_flags = {
-    name_gnss_1_rtk_corrections_status_flags,
-    labels_gnss_1_rtk_corrections_status_flags,
-    NULL,
-    bits_gnss_1_rtk_corrections_status_flags,
-    9,
-    2};
-
-static const char name_gnss_1_ephemeris_flags[] = "gnss_1.ephemeris_flags";
-static const char labels_gnss_1_ephemeris_flags[] = "ephemeris\0"
-                                                    "modern_data\0"
-                                                    "isc_l5\0"
-                                                    "flags";
-static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
-};
-const struct mip_names mip_names_gnss_1_ephemeris_flags = {name_gnss_1_ephemeris_flags,
-                                                           labels_gnss_1_ephemeris_flags,
-                                                           NULL,
-                                                           bits_gnss_1_ephemeris_flags,
-                                                           4,
-                                                           2};
-
-static const char name_gnss_1_glonass_satellite_type[] = "gnss_1.glonass_satellite_type";
-static const char labels_gnss_1_glonass_satellite_type[] = "glonass\0"
-                                                           "glonass_m";
-static const uint8_t numbers_gnss_1_glonass_satellite_type[] = {0, 1};
-const struct mip_names mip_names_gnss_1_glonass_satellite_type = {
-    name_gnss_1_glonass_satellite_type,
-    labels_gnss_1_glonass_satellite_type,
-    numbers_gnss_1_glonass_satellite_type,
-    NULL,
-    2,
-    1};
-const char *mip_gnss_1_glonass_satellite_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_1_glonass_satellite_type, value);
-}
-
-static const char name_gnss_1_glonass_ephemeris_flags[] = "gnss_1.glonass_ephemeris_flags";
-static const char labels_gnss_1_glonass_ephemeris_flags[] = "ephemeris\0"
-                                                            "flags";
-static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
-    {0, 1, NULL},
-    {0, 1, NULL},
-};
-const struct mip_names mip_names_gnss_1_glonass_ephemeris_flags = {
-    name_gnss_1_glonass_ephemeris_flags,
-    labels_gnss_1_glonass_ephemeris_flags,
-    NULL,
-    bits_gnss_1_glonass_ephemeris_flags,
-    2,
-    2};
-
-static const char name_gnss_1_gps_iono_correction_flags[] = "gnss_1.gps_iono_correction_flags";
-static const char labels_gnss_1_gps_iono_correction_flags[] = "tow\0"
-                                                              "week_number\0"
-                                                              "alpha\0"
-                                                              "beta\0"
-                                                              "flags";
-static const struct mip_named_bits bits_gnss_1_gps_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
-};
-const struct mip_names mip_names_gnss_1_gps_iono_correction_flags = {
-    name_gnss_1_gps_iono_correction_flags,
-    labels_gnss_1_gps_iono_correction_flags,
-    NULL,
-    bits_gnss_1_gps_iono_correction_flags,
-    5,
-    2};
-
-static const char name_gnss_1_galileo_iono_correction_flags[] =
-    "gnss_1.galileo_iono_correction_flags";
-static const char labels_gnss_1_galileo_iono_correction_flags[] = "tow\0"
-                                                                  "week_number\0"
-                                                                  "alpha\0"
-                                                                  "disturbance_flags\0"
-                                                                  "flags";
-static const struct mip_named_bits bits_gnss_1_galileo_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
-};
-const struct mip_names mip_names_gnss_1_galileo_iono_correction_flags = {
-    name_gnss_1_galileo_iono_correction_flags,
-    labels_gnss_1_galileo_iono_correction_flags,
-    NULL,
-    bits_gnss_1_galileo_iono_correction_flags,
-    5,
-    2};
-
-static const char name_gnss_1_beidou_iono_correction_flags[] =
-    "gnss_1.beidou_iono_correction_flags";
-static const char labels_gnss_1_beidou_iono_correction_flags[] = "tow\0"
-                                                                 "week_number\0"
-                                                                 "alpha\0"
-                                                                 "beta\0"
-                                                                 "alpha_correction\0"
-                                                                 "flags";
-static const struct mip_named_bits bits_gnss_1_beidou_iono_correction_flags[] = {
-    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {4, 1, NULL}, {0, 5, NULL},
-};
-const struct mip_names mip_names_gnss_1_beidou_iono_correction_flags = {
-    name_gnss_1_beidou_iono_correction_flags,
-    labels_gnss_1_beidou_iono_correction_flags,
-    NULL,
-    bits_gnss_1_beidou_iono_correction_flags,
-    6,
-    2};
-
 static const char name_system_data_gpio_pin_states[] = "system_data.gpio_pin_states";
 static const char labels_system_data_gpio_pin_states[] = "pin_1\0"
                                                          "pin_2\0"
@@ -2422,6 +2436,47 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_system_protocol_mode,
     &mip_names_sensor_overrange_flags,
     &mip_names_sensor_odometer_flags,
+    &mip_names_gnss_data_llh_position_flags,
+    &mip_names_gnss_data_ecef_position_flags,
+    &mip_names_gnss_data_ned_velocity_flags,
+    &mip_names_gnss_data_ecef_velocity_flags,
+    &mip_names_gnss_data_dop_flags,
+    &mip_names_gnss_data_utc_time_flags,
+    &mip_names_gnss_data_gps_time_flags,
+    &mip_names_gnss_data_clock_info_flags,
+    &mip_names_gnss_data_fix_flags,
+    &mip_names_gnss_data_fix_info_flags,
+    &mip_names_gnss_data_sv_flags,
+    &mip_names_gnss_data_sv_info_flags,
+    &mip_names_gnss_data_receiver_state,
+    &mip_names_gnss_data_antenna_state,
+    &mip_names_gnss_data_antenna_power,
+    &mip_names_gnss_data_hardware_status_flags,
+    &mip_names_gnss_data_dgps_info_flags,
+    &mip_names_gnss_data_dgps_channel_flags,
+    &mip_names_gnss_data_clock_info_2_flags,
+    &mip_names_gnss_data_gps_leap_seconds_flags,
+    &mip_names_gnss_data_sbas_system,
+    &mip_names_gnss_data_sbas_status,
+    &mip_names_gnss_data_sbas_info_flags,
+    &mip_names_gnss_data_sbas_correction_flags,
+    &mip_names_gnss_data_rf_band,
+    &mip_names_gnss_data_jamming_state,
+    &mip_names_gnss_data_spoofing_state,
+    &mip_names_gnss_data_rf_error_detection_flags,
+    &mip_names_gnss_data_satellite_status_flags,
+    &mip_names_gnss_data_signal_quality,
+    &mip_names_gnss_data_raw_flags,
+    &mip_names_gnss_data_base_station_indicators,
+    &mip_names_gnss_data_base_station_info_flags,
+    &mip_names_gnss_data_rtk_epoch_status,
+    &mip_names_gnss_data_rtk_corrections_status_flags,
+    &mip_names_gnss_data_ephemeris_flags,
+    &mip_names_gnss_data_glonass_satellite_type,
+    &mip_names_gnss_data_glonass_ephemeris_flags,
+    &mip_names_gnss_data_gps_iono_correction_flags,
+    &mip_names_gnss_data_galileo_iono_correction_flags,
+    &mip_names_gnss_data_beidou_iono_correction_flags,
     &mip_names_filter_data_valid_flags,
     &mip_names_filter_data_heading_source_flags,
     &mip_names_filter_data_gnss_aiding_status,
@@ -2437,47 +2492,6 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_filter_data_gx5_status_flags,
     &mip_names_filter_data_filter_condition,
     &mip_names_filter_data_cv7_status_flags,
-    &mip_names_gnss_1_llh_position_flags,
-    &mip_names_gnss_1_ecef_position_flags,
-    &mip_names_gnss_1_ned_velocity_flags,
-    &mip_names_gnss_1_ecef_velocity_flags,
-    &mip_names_gnss_1_dop_flags,
-    &mip_names_gnss_1_utc_time_flags,
-    &mip_names_gnss_1_gps_time_flags,
-    &mip_names_gnss_1_clock_info_flags,
-    &mip_names_gnss_1_fix_flags,
-    &mip_names_gnss_1_fix_info_flags,
-    &mip_names_gnss_1_sv_flags,
-    &mip_names_gnss_1_sv_info_flags,
-    &mip_names_gnss_1_receiver_state,
-    &mip_names_gnss_1_antenna_state,
-    &mip_names_gnss_1_antenna_power,
-    &mip_names_gnss_1_hardware_status_flags,
-    &mip_names_gnss_1_dgps_info_flags,
-    &mip_names_gnss_1_dgps_channel_flags,
-    &mip_names_gnss_1_clock_info_2_flags,
-    &mip_names_gnss_1_gps_leap_seconds_flags,
-    &mip_names_gnss_1_sbas_system,
-    &mip_names_gnss_1_sbas_status,
-    &mip_names_gnss_1_sbas_info_flags,
-    &mip_names_gnss_1_sbas_correction_flags,
-    &mip_names_gnss_1_rf_band,
-    &mip_names_gnss_1_jamming_state,
-    &mip_names_gnss_1_spoofing_state,
-    &mip_names_gnss_1_rf_error_detection_flags,
-    &mip_names_gnss_1_satellite_status_flags,
-    &mip_names_gnss_1_signal_quality,
-    &mip_names_gnss_1_raw_flags,
-    &mip_names_gnss_1_base_station_indicators,
-    &mip_names_gnss_1_base_station_info_flags,
-    &mip_names_gnss_1_rtk_epoch_status,
-    &mip_names_gnss_1_rtk_corrections_status_flags,
-    &mip_names_gnss_1_ephemeris_flags,
-    &mip_names_gnss_1_glonass_satellite_type,
-    &mip_names_gnss_1_glonass_ephemeris_flags,
-    &mip_names_gnss_1_gps_iono_correction_flags,
-    &mip_names_gnss_1_galileo_iono_correction_flags,
-    &mip_names_gnss_1_beidou_iono_correction_flags,
     &mip_names_system_data_gpio_pin_states,
     &mip_names_shared_gps_timestamp_flags,
     &mip_names_shared_external_timestamp_flags,

@@ -178,6 +178,88 @@ extern MIP_API const struct mip_names mip_names_system_protocol_mode;
 extern MIP_API const struct mip_names mip_names_sensor_overrange_flags;
 /** sensor.odometer_flags */
 extern MIP_API const struct mip_names mip_names_sensor_odometer_flags;
+/** gnss_data.llh_position_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_llh_position_flags;
+/** gnss_data.ecef_position_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_ecef_position_flags;
+/** gnss_data.ned_velocity_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_ned_velocity_flags;
+/** gnss_data.ecef_velocity_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_ecef_velocity_flags;
+/** gnss_data.dop_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_dop_flags;
+/** gnss_data.utc_time_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_utc_time_flags;
+/** gnss_data.gps_time_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_gps_time_flags;
+/** gnss_data.clock_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_clock_info_flags;
+/** gnss_data.fix_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_fix_flags;
+/** gnss_data.fix_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_fix_info_flags;
+/** gnss_data.sv_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_sv_flags;
+/** gnss_data.sv_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_sv_info_flags;
+/** gnss_data.receiver_state */
+extern MIP_API const struct mip_names mip_names_gnss_data_receiver_state;
+/** gnss_data.antenna_state */
+extern MIP_API const struct mip_names mip_names_gnss_data_antenna_state;
+/** gnss_data.antenna_power */
+extern MIP_API const struct mip_names mip_names_gnss_data_antenna_power;
+/** gnss_data.hardware_status_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_hardware_status_flags;
+/** gnss_data.dgps_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_dgps_info_flags;
+/** gnss_data.dgps_channel_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_dgps_channel_flags;
+/** gnss_data.clock_info_2_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_clock_info_2_flags;
+/** gnss_data.gps_leap_seconds_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_gps_leap_seconds_flags;
+/** gnss_data.sbas_system */
+extern MIP_API const struct mip_names mip_names_gnss_data_sbas_system;
+/** gnss_data.sbas_status */
+extern MIP_API const struct mip_names mip_names_gnss_data_sbas_status;
+/** gnss_data.sbas_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_sbas_info_flags;
+/** gnss_data.sbas_correction_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_sbas_correction_flags;
+/** gnss_data.rf_band */
+extern MIP_API const struct mip_names mip_names_gnss_data_rf_band;
+/** gnss_data.jamming_state */
+extern MIP_API const struct mip_names mip_names_gnss_data_jamming_state;
+/** gnss_data.spoofing_state */
+extern MIP_API const struct mip_names mip_names_gnss_data_spoofing_state;
+/** gnss_data.rf_error_detection_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_rf_error_detection_flags;
+/** gnss_data.satellite_status_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_satellite_status_flags;
+/** gnss_data.signal_quality */
+extern MIP_API const struct mip_names mip_names_gnss_data_signal_quality;
+/** gnss_data.raw_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_raw_flags;
+/** gnss_data.base_station_indicators */
+extern MIP_API const struct mip_names mip_names_gnss_data_base_station_indicators;
+/** gnss_data.base_station_info_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_base_station_info_flags;
+/** gnss_data.rtk_epoch_status */
+extern MIP_API const struct mip_names mip_names_gnss_data_rtk_epoch_status;
+/** gnss_data.rtk_corrections_status_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_rtk_corrections_status_flags;
+/** gnss_data.ephemeris_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_ephemeris_flags;
+/** gnss_data.glonass_satellite_type */
+extern MIP_API const struct mip_names mip_names_gnss_data_glonass_satellite_type;
+/** gnss_data.glonass_ephemeris_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_glonass_ephemeris_flags;
+/** gnss_data.gps_iono_correction_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_gps_iono_correction_flags;
+/** gnss_data.galileo_iono_correction_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_galileo_iono_correction_flags;
+/** gnss_data.beidou_iono_correction_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_beidou_iono_correction_flags;
 /** filter_data.valid_flags */
 extern MIP_API const struct mip_names mip_names_filter_data_valid_flags;
 /** filter_data.heading_source_flags */
@@ -208,88 +290,6 @@ extern MIP_API const struct mip_names mip_names_filter_data_gx5_status_flags;
 extern MIP_API const struct mip_names mip_names_filter_data_filter_condition;
 /** filter_data.cv7_status_flags */
 extern MIP_API const struct mip_names mip_names_filter_data_cv7_status_flags;
-/** gnss_1.llh_position_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_llh_position_flags;
-/** gnss_1.ecef_position_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_ecef_position_flags;
-/** gnss_1.ned_velocity_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_ned_velocity_flags;
-/** gnss_1.ecef_velocity_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_ecef_velocity_flags;
-/** gnss_1.dop_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_dop_flags;
-/** gnss_1.utc_time_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_utc_time_flags;
-/** gnss_1.gps_time_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_gps_time_flags;
-/** gnss_1.clock_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_clock_info_flags;
-/** gnss_1.fix_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_fix_flags;
-/** gnss_1.fix_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_fix_info_flags;
-/** gnss_1.sv_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_sv_flags;
-/** gnss_1.sv_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_sv_info_flags;
-/** gnss_1.receiver_state */
-extern MIP_API const struct mip_names mip_names_gnss_1_receiver_state;
-/** gnss_1.antenna_state */
-extern MIP_API const struct mip_names mip_names_gnss_1_antenna_state;
-/** gnss_1.antenna_power */
-extern MIP_API const struct mip_names mip_names_gnss_1_antenna_power;
-/** gnss_1.hardware_status_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_hardware_status_flags;
-/** gnss_1.dgps_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_dgps_info_flags;
-/** gnss_1.dgps_channel_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_dgps_channel_flags;
-/** gnss_1.clock_info_2_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_clock_info_2_flags;
-/** gnss_1.gps_leap_seconds_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_gps_leap_seconds_flags;
-/** gnss_1.sbas_system */
-extern MIP_API const struct mip_names mip_names_gnss_1_sbas_system;
-/** gnss_1.sbas_status */
-extern MIP_API const struct mip_names mip_names_gnss_1_sbas_status;
-/** gnss_1.sbas_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_sbas_info_flags;
-/** gnss_1.sbas_correction_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_sbas_correction_flags;
-/** gnss_1.rf_band */
-extern MIP_API const struct mip_names mip_names_gnss_1_rf_band;
-/** gnss_1.jamming_state */
-extern MIP_API const struct mip_names mip_names_gnss_1_jamming_state;
-/** gnss_1.spoofing_state */
-extern MIP_API const struct mip_names mip_names_gnss_1_spoofing_state;
-/** gnss_1.rf_error_detection_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_rf_error_detection_flags;
-/** gnss_1.satellite_status_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_satellite_status_flags;
-/** gnss_1.signal_quality */
-extern MIP_API const struct mip_names mip_names_gnss_1_signal_quality;
-/** gnss_1.raw_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_raw_flags;
-/** gnss_1.base_station_indicators */
-extern MIP_API const struct mip_names mip_names_gnss_1_base_station_indicators;
-/** gnss_1.base_station_info_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_base_station_info_flags;
-/** gnss_1.rtk_epoch_status */
-extern MIP_API const struct mip_names mip_names_gnss_1_rtk_epoch_status;
-/** gnss_1.rtk_corrections_status_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_rtk_corrections_status_flags;
-/** gnss_1.ephemeris_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_ephemeris_flags;
-/** gnss_1.glonass_satellite_type */
-extern MIP_API const struct mip_names mip_names_gnss_1_glonass_satellite_type;
-/** gnss_1.glonass_ephemeris_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_glonass_ephemeris_flags;
-/** gnss_1.gps_iono_correction_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_gps_iono_correction_flags;
-/** gnss_1.galileo_iono_correction_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_galileo_iono_correction_flags;
-/** gnss_1.beidou_iono_correction_flags */
-extern MIP_API const struct mip_names mip_names_gnss_1_beidou_iono_correction_flags;
 /** system_data.gpio_pin_states */
 extern MIP_API const struct mip_names mip_names_system_data_gpio_pin_states;
 /** shared.gps_timestamp_flags */

@@ -15,7 +15,7 @@ void mip_parser_init(struct mip_parser *parser) {
  * it, 0 if none begins here. */
 static size_t candidate(const uint8_t *bytes, size_t size) {
     if (bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
-        (size > 2 && bytes[2] == 0)) {
+        (size > 2 && !mip_set_valid(bytes[2]))) {
         return 0;
     }
     return size < MIP_HEADER_SIZE ? size + 1

@@ -407,15 +407,18 @@ static void put_field(const struct mip_print *print, unsigned depth,
     static const char *const roles[] = {": command (0x", ": response (0x", ": data (0x"};
     const struct mip_entry *entry = mip_registry_find(field);
     union mip_any_value value;
-    size_t known;
     size_t trailing;
     mip_error error;
     indent(print, depth);
+    if (entry != NULL) {
+        put(print, mip_registry_set_name(entry, field->descriptor_set));
+        put(print, ".");
+    }
     put(print, entry != NULL ? entry->name : "unknown");
     put_number(print, entry != NULL ? roles[entry->role] : " (0x", field->descriptor_set, 2, "");
     put_number(print, ",0x", field->descriptor, 2, ")\n");
     if (entry == NULL) {
-        if (mip_registry_candidates(field->descriptor_set, field->descriptor, &known) != NULL) {
+        if (mip_registry_next(field->descriptor_set, field->descriptor, NULL) != NULL) {
             put_error(print, depth + 1, "layout");
         }
         put_bytes(print, depth + 1, "raw:", field->data, field->size);
@@ -433,21 +436,12 @@ static void put_field(const struct mip_print *print, unsigned depth,
     }
 }
 
-/** "packet (0x80) sensor, 20 bytes": a set has the name that its fields begin with. */
+/** "packet (0x80) sensor, 20 bytes" */
 static void put_head(const struct mip_print *print, uint8_t descriptor_set, size_t size) {
+    const struct mip_set *set = mip_registry_set(descriptor_set);
     put_number(print, "packet (0x", descriptor_set, 2, ")");
-    for (size_t i = 0; i < mip_registry_size; i++) {
-        if (mip_registry[i].descriptor_set == descriptor_set) {
-            const char *name = mip_registry[i].name;
-            size_t length = 0;
-            while (name[length] != '.') {
-                length++;
-            }
-            put(print, " ");
-            print->put(print->user, name, length);
-            break;
-        }
-    }
+    put(print, set != NULL ? " " : "");
+    put(print, set != NULL ? set->name : "");
     put(print, ", ");
     mip_print_unsigned(print, size);
     put(print, " bytes");

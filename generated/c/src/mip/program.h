@@ -62,6 +62,9 @@ enum {
     MIP_STEP_GROUP
 };
 
+/** The descriptor sets of a field beside its first one. They are right before the program. */
+#define MIP_MORE_SETS(...) __VA_ARGS__
+
 /** The end of a program, or of a part of it. */
 #define MIP_END MIP_STEP_END
 /** All places of the program have two bytes. Before any other step but MIP_LAYOUT. */

@@ -8,4 +8,4 @@ static const uint8_t program_acknowledge[] = {
 };
 
 const struct mip_codec mip_protocol_acknowledge_codec = {
-    0x00, 0xF1, MIP_RESPONSE, 2, sizeof(struct mip_protocol_acknowledge), program_acknowledge};
+    0x00, 0xF1, MIP_RESPONSE, 2, sizeof(struct mip_protocol_acknowledge), 0, program_acknowledge};

@@ -12,10 +12,8 @@
 extern "C" {
 #endif
 
-/** A field as a descriptor set defines or repeats it. */
+/** A type of field, which may occur in several descriptor sets. */
 struct mip_entry {
-    /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets. */
-    uint8_t descriptor_set;
     /** Descriptor of the field. */
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
@@ -24,31 +22,56 @@ struct mip_entry {
     uint8_t link_count;
     /** Where they are in mip_registry_links. */
     uint16_t first_link;
-    /** Name in the specification: "3dm.pps_source_control". */
+    /** Name in the specification, without that of a set: "pps_source_control". */
     const char *name;
-    /** Its wire format. */
+    /** Its wire format. mip_codec_belongs says in which sets it occurs. */
     const struct mip_codec *codec;
     /** NULL if it is not a command. */
     const struct mip_command *command;
 };
 
-/** All fields, by descriptor set and descriptor. */
+/** A descriptor set. Several may have the same entries, which need not occur in all of them. */
+struct mip_set {
+    /** Its number; 0 of fields of all command sets, 0xFF of those of all data sets. */
+    uint8_t number;
+    /** The index of the first of its entries in mip_registry. */
+    uint16_t first;
+    /** How many there are. */
+    uint16_t count;
+    /** Name in the specification: "3dm". */
+    const char *name;
+};
+
+/** All types of fields, by descriptor set and descriptor. */
 extern MIP_API const struct mip_entry mip_registry[];
-/** The number of all fields. */
+/** The number of all types of fields. */
 extern MIP_API const size_t mip_registry_size;
+/** All descriptor sets, by number. */
+extern MIP_API const struct mip_set mip_registry_sets[];
+/** The number of all descriptor sets. */
+extern MIP_API const size_t mip_registry_set_count;
 /** For mip_registry_link: indexes of entries. */
 extern MIP_API const uint16_t mip_registry_links[];
 
-/** The layouts of a descriptor in packets of a set: the first one, and how many. */
-MIP_API const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
-                                                        size_t *count);
+/** A descriptor set by its number; NULL if it is unknown. */
+MIP_API const struct mip_set *mip_registry_set(uint8_t number);
+
+/** The name of the set that comes before that of the field in packets of this set: "gnss_2" of
+ * "gnss_2.dop", "shared" of a field that all data sets share. */
+MIP_API const char *mip_registry_set_name(const struct mip_entry *entry, uint8_t descriptor_set);
+
+/** The layouts of a descriptor in packets of a set: the first one, or the one after `last`, which
+ * is NULL at the start. NULL after the last one. */
+MIP_API const struct mip_entry *mip_registry_next(uint8_t descriptor_set, uint8_t descriptor,
+                                                  const struct mip_entry *last);
 
 /** The layout of a field; NULL if it is unknown, or if the data has none of the known layouts.
  */
 MIP_API const struct mip_entry *mip_registry_find(const struct mip_field *field);
 
-/** A field by its name; NULL if there is none. */
-MIP_API const struct mip_entry *mip_registry_by_name(const char *name);
+/** A field by its name: "gnss_2.dop"; NULL if there is none. `*descriptor_set`, unless NULL, is
+ * then the set of the name, with 0 and 0xFF as in mip_set. */
+MIP_API const struct mip_entry *mip_registry_by_name(const char *name, uint8_t *descriptor_set);
 
 /** The responses of a command, or the commands of a response, from 0; NULL after the last one. */
 MIP_API const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);

@@ -7,8 +7,13 @@ static const uint8_t program_get_status_flags[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_status_flags_codec = {
-    0x0F, 0x01, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_status_flags), program_get_status_flags};
+const struct mip_codec mip_rtk_get_status_flags_codec = {0x0F,
+                                                         0x01,
+                                                         MIP_COMMAND,
+                                                         0,
+                                                         sizeof(struct mip_rtk_get_status_flags),
+                                                         0,
+                                                         program_get_status_flags};
 
 static const struct mip_response responses_get_status_flags[] = {
     {&mip_rtk_get_status_flags_response_codec, NULL},
@@ -29,6 +34,7 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_rtk_get_status_flags_response),
+    0,
     program_get_status_flags_response};
 
 static const uint8_t program_get_imei[] = {
@@ -36,7 +42,7 @@ static const uint8_t program_get_imei[] = {
 };
 
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), program_get_imei};
+    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), 0, program_get_imei};
 
 static const struct mip_response responses_get_imei[] = {
     {&mip_rtk_get_imei_response_codec, NULL},
@@ -56,6 +62,7 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {0x0F,
                                                           MIP_RESPONSE,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imei_response),
+                                                          0,
                                                           program_get_imei_response};
 
 static const uint8_t program_get_imsi[] = {
@@ -63,7 +70,7 @@ static const uint8_t program_get_imsi[] = {
 };
 
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), program_get_imsi};
+    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), 0, program_get_imsi};
 
 static const struct mip_response responses_get_imsi[] = {
     {&mip_rtk_get_imsi_response_codec, NULL},
@@ -83,6 +90,7 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {0x0F,
                                                           MIP_RESPONSE,
                                                           0,
                                                           sizeof(struct mip_rtk_get_imsi_response),
+                                                          0,
                                                           program_get_imsi_response};
 
 static const uint8_t program_get_iccid[] = {
@@ -90,7 +98,7 @@ static const uint8_t program_get_iccid[] = {
 };
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), program_get_iccid};
+    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), 0, program_get_iccid};
 
 static const struct mip_response responses_get_iccid[] = {
     {&mip_rtk_get_iccid_response_codec, NULL},
@@ -111,6 +119,7 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_rtk_get_iccid_response),
+    0,
     program_get_iccid_response};
 
 static const uint8_t program_get_rssi[] = {
@@ -118,7 +127,7 @@ static const uint8_t program_get_rssi[] = {
 };
 
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), program_get_rssi};
+    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), 0, program_get_rssi};
 
 static const struct mip_response responses_get_rssi[] = {
     {&mip_rtk_get_rssi_response_codec, NULL},
@@ -139,6 +148,7 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
                                                           MIP_RESPONSE,
                                                           9,
                                                           sizeof(struct mip_rtk_get_rssi_response),
+                                                          0,
                                                           program_get_rssi_response};
 
 static const uint8_t program_connected_device_type[] = {
@@ -154,6 +164,7 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_rtk_connected_device_type),
+    0,
     program_connected_device_type};
 
 static bool asked_connected_device_type_1(const void *value) {
@@ -181,6 +192,7 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_rtk_connected_device_type_response),
+    0,
     program_connected_device_type_response};
 
 static const uint8_t program_get_activation_code[] = {
@@ -193,6 +205,7 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_rtk_get_activation_code),
+    0,
     program_get_activation_code};
 
 static const struct mip_response responses_get_activation_code[] = {
@@ -215,6 +228,7 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_rtk_get_activation_code_response),
+    0,
     program_get_activation_code_response};
 
 static const uint8_t program_get_modem_firmware_version[] = {
@@ -227,6 +241,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version),
+    0,
     program_get_modem_firmware_version};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
@@ -249,6 +264,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
+    0,
     program_get_modem_firmware_version_response};
 
 static const uint8_t program_service_status[] = {
@@ -257,7 +273,7 @@ static const uint8_t program_service_status[] = {
 };
 
 const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F, 0x0A, MIP_COMMAND, 8, sizeof(struct mip_rtk_service_status), program_service_status};
+    0x0F, 0x0A, MIP_COMMAND, 8, sizeof(struct mip_rtk_service_status), 0, program_service_status};
 
 static const struct mip_response responses_service_status[] = {
     {&mip_rtk_service_status_response_codec, NULL},
@@ -280,6 +296,7 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     MIP_RESPONSE,
     17,
     sizeof(struct mip_rtk_service_status_response),
+    0,
     program_service_status_response};
 
 static const uint8_t program_erase_storage[] = {
@@ -288,7 +305,7 @@ static const uint8_t program_erase_storage[] = {
 };
 
 const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F, 0x20, MIP_COMMAND, 1, sizeof(struct mip_rtk_erase_storage), program_erase_storage};
+    0x0F, 0x20, MIP_COMMAND, 1, sizeof(struct mip_rtk_erase_storage), 0, program_erase_storage};
 
 const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec, NULL, NULL,
                                                           0};
@@ -300,7 +317,7 @@ static const uint8_t program_led_control[] = {
 };
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F, 0x21, MIP_COMMAND, 11, sizeof(struct mip_rtk_led_control), program_led_control};
+    0x0F, 0x21, MIP_COMMAND, 11, sizeof(struct mip_rtk_led_control), 0, program_led_control};
 
 const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec, NULL, NULL, 0};
 
@@ -308,8 +325,13 @@ static const uint8_t program_modem_hard_reset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_modem_hard_reset_codec = {
-    0x0F, 0x22, MIP_COMMAND, 0, sizeof(struct mip_rtk_modem_hard_reset), program_modem_hard_reset};
+const struct mip_codec mip_rtk_modem_hard_reset_codec = {0x0F,
+                                                         0x22,
+                                                         MIP_COMMAND,
+                                                         0,
+                                                         sizeof(struct mip_rtk_modem_hard_reset),
+                                                         0,
+                                                         program_modem_hard_reset};
 
 const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec, NULL,
                                                              NULL, 0};

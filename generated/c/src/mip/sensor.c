@@ -8,7 +8,7 @@ static const uint8_t program_raw_accel[] = {
 };
 
 const struct mip_codec mip_sensor_raw_accel_codec = {
-    0x80, 0x01, MIP_DATA, 12, sizeof(struct mip_sensor_raw_accel), program_raw_accel};
+    0x80, 0x01, MIP_DATA, 12, sizeof(struct mip_sensor_raw_accel), 0, program_raw_accel};
 
 static const uint8_t program_raw_gyro[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_raw_gyro, raw_gyro)),
@@ -16,7 +16,7 @@ static const uint8_t program_raw_gyro[] = {
 };
 
 const struct mip_codec mip_sensor_raw_gyro_codec = {
-    0x80, 0x02, MIP_DATA, 12, sizeof(struct mip_sensor_raw_gyro), program_raw_gyro};
+    0x80, 0x02, MIP_DATA, 12, sizeof(struct mip_sensor_raw_gyro), 0, program_raw_gyro};
 
 static const uint8_t program_raw_mag[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_raw_mag, raw_mag)),
@@ -24,7 +24,7 @@ static const uint8_t program_raw_mag[] = {
 };
 
 const struct mip_codec mip_sensor_raw_mag_codec = {
-    0x80, 0x03, MIP_DATA, 12, sizeof(struct mip_sensor_raw_mag), program_raw_mag};
+    0x80, 0x03, MIP_DATA, 12, sizeof(struct mip_sensor_raw_mag), 0, program_raw_mag};
 
 static const uint8_t program_scaled_accel[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_scaled_accel, scaled_accel)),
@@ -32,7 +32,7 @@ static const uint8_t program_scaled_accel[] = {
 };
 
 const struct mip_codec mip_sensor_scaled_accel_codec = {
-    0x80, 0x04, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_accel), program_scaled_accel};
+    0x80, 0x04, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_accel), 0, program_scaled_accel};
 
 static const uint8_t program_scaled_gyro[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_scaled_gyro, scaled_gyro)),
@@ -40,7 +40,7 @@ static const uint8_t program_scaled_gyro[] = {
 };
 
 const struct mip_codec mip_sensor_scaled_gyro_codec = {
-    0x80, 0x05, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_gyro), program_scaled_gyro};
+    0x80, 0x05, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_gyro), 0, program_scaled_gyro};
 
 static const uint8_t program_scaled_mag[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_scaled_mag, scaled_mag)),
@@ -48,7 +48,7 @@ static const uint8_t program_scaled_mag[] = {
 };
 
 const struct mip_codec mip_sensor_scaled_mag_codec = {
-    0x80, 0x06, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_mag), program_scaled_mag};
+    0x80, 0x06, MIP_DATA, 12, sizeof(struct mip_sensor_scaled_mag), 0, program_scaled_mag};
 
 static const uint8_t program_delta_theta[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_delta_theta, delta_theta)),
@@ -56,7 +56,7 @@ static const uint8_t program_delta_theta[] = {
 };
 
 const struct mip_codec mip_sensor_delta_theta_codec = {
-    0x80, 0x07, MIP_DATA, 12, sizeof(struct mip_sensor_delta_theta), program_delta_theta};
+    0x80, 0x07, MIP_DATA, 12, sizeof(struct mip_sensor_delta_theta), 0, program_delta_theta};
 
 static const uint8_t program_delta_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_delta_velocity, delta_velocity)),
@@ -64,7 +64,7 @@ static const uint8_t program_delta_velocity[] = {
 };
 
 const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80, 0x08, MIP_DATA, 12, sizeof(struct mip_sensor_delta_velocity), program_delta_velocity};
+    0x80, 0x08, MIP_DATA, 12, sizeof(struct mip_sensor_delta_velocity), 0, program_delta_velocity};
 
 static const uint8_t program_comp_orientation_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_sensor_comp_orientation_matrix, m)),
@@ -77,6 +77,7 @@ const struct mip_codec mip_sensor_comp_orientation_matrix_codec = {
     MIP_DATA,
     36,
     sizeof(struct mip_sensor_comp_orientation_matrix),
+    0,
     program_comp_orientation_matrix};
 
 static const uint8_t program_comp_quaternion[] = {
@@ -85,7 +86,13 @@ static const uint8_t program_comp_quaternion[] = {
 };
 
 const struct mip_codec mip_sensor_comp_quaternion_codec = {
-    0x80, 0x0A, MIP_DATA, 16, sizeof(struct mip_sensor_comp_quaternion), program_comp_quaternion};
+    0x80,
+    0x0A,
+    MIP_DATA,
+    16,
+    sizeof(struct mip_sensor_comp_quaternion),
+    0,
+    program_comp_quaternion};
 
 static const uint8_t program_comp_orientation_update_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_sensor_comp_orientation_update_matrix, m)),
@@ -98,6 +105,7 @@ const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
     MIP_DATA,
     36,
     sizeof(struct mip_sensor_comp_orientation_update_matrix),
+    0,
     program_comp_orientation_update_matrix};
 
 static const uint8_t program_comp_euler_angles[] = {
@@ -111,6 +119,7 @@ const struct mip_codec mip_sensor_comp_euler_angles_codec = {
     MIP_DATA,
     12,
     sizeof(struct mip_sensor_comp_euler_angles),
+    0,
     program_comp_euler_angles};
 
 static const uint8_t program_orientation_raw_temperature[] = {
@@ -124,6 +133,7 @@ const struct mip_codec mip_sensor_orientation_raw_temperature_codec = {
     MIP_DATA,
     8,
     sizeof(struct mip_sensor_orientation_raw_temperature),
+    0,
     program_orientation_raw_temperature};
 
 static const uint8_t program_internal_timestamp[] = {
@@ -137,6 +147,7 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     MIP_DATA,
     4,
     sizeof(struct mip_sensor_internal_timestamp),
+    0,
     program_internal_timestamp};
 
 static const uint8_t program_pps_timestamp[] = {
@@ -145,7 +156,7 @@ static const uint8_t program_pps_timestamp[] = {
 };
 
 const struct mip_codec mip_sensor_pps_timestamp_codec = {
-    0x80, 0x0F, MIP_DATA, 8, sizeof(struct mip_sensor_pps_timestamp), program_pps_timestamp};
+    0x80, 0x0F, MIP_DATA, 8, sizeof(struct mip_sensor_pps_timestamp), 0, program_pps_timestamp};
 
 static const uint8_t program_north_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_north_vector, stabilized_mag)),
@@ -153,7 +164,7 @@ static const uint8_t program_north_vector[] = {
 };
 
 const struct mip_codec mip_sensor_north_vector_codec = {
-    0x80, 0x10, MIP_DATA, 12, sizeof(struct mip_sensor_north_vector), program_north_vector};
+    0x80, 0x10, MIP_DATA, 12, sizeof(struct mip_sensor_north_vector), 0, program_north_vector};
 
 static const uint8_t program_up_vector[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_up_vector, stabilized_accel)),
@@ -161,7 +172,7 @@ static const uint8_t program_up_vector[] = {
 };
 
 const struct mip_codec mip_sensor_up_vector_codec = {
-    0x80, 0x11, MIP_DATA, 12, sizeof(struct mip_sensor_up_vector), program_up_vector};
+    0x80, 0x11, MIP_DATA, 12, sizeof(struct mip_sensor_up_vector), 0, program_up_vector};
 
 static const uint8_t program_gps_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_sensor_gps_timestamp, tow)),
@@ -170,7 +181,7 @@ static const uint8_t program_gps_timestamp[] = {
 };
 
 const struct mip_codec mip_sensor_gps_timestamp_codec = {
-    0x80, 0x12, MIP_DATA, 12, sizeof(struct mip_sensor_gps_timestamp), program_gps_timestamp};
+    0x80, 0x12, MIP_DATA, 12, sizeof(struct mip_sensor_gps_timestamp), 0, program_gps_timestamp};
 
 static const uint8_t program_temperature_statistics[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_sensor_temperature_statistics, min_temperature)),
@@ -183,6 +194,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     MIP_DATA,
     12,
     sizeof(struct mip_sensor_temperature_statistics),
+    0,
     program_temperature_statistics};
 
 static const uint8_t program_raw_pressure[] = {
@@ -191,7 +203,7 @@ static const uint8_t program_raw_pressure[] = {
 };
 
 const struct mip_codec mip_sensor_raw_pressure_codec = {
-    0x80, 0x16, MIP_DATA, 4, sizeof(struct mip_sensor_raw_pressure), program_raw_pressure};
+    0x80, 0x16, MIP_DATA, 4, sizeof(struct mip_sensor_raw_pressure), 0, program_raw_pressure};
 
 static const uint8_t program_scaled_pressure[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_sensor_scaled_pressure, scaled_pressure)),
@@ -199,7 +211,7 @@ static const uint8_t program_scaled_pressure[] = {
 };
 
 const struct mip_codec mip_sensor_scaled_pressure_codec = {
-    0x80, 0x17, MIP_DATA, 4, sizeof(struct mip_sensor_scaled_pressure), program_scaled_pressure};
+    0x80, 0x17, MIP_DATA, 4, sizeof(struct mip_sensor_scaled_pressure), 0, program_scaled_pressure};
 
 static const uint8_t program_overrange_status[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_sensor_overrange_status, status)),
@@ -207,7 +219,13 @@ static const uint8_t program_overrange_status[] = {
 };
 
 const struct mip_codec mip_sensor_overrange_status_codec = {
-    0x80, 0x18, MIP_DATA, 2, sizeof(struct mip_sensor_overrange_status), program_overrange_status};
+    0x80,
+    0x18,
+    MIP_DATA,
+    2,
+    sizeof(struct mip_sensor_overrange_status),
+    0,
+    program_overrange_status};
 
 static const uint8_t program_odometer[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_sensor_odometer, speed)),
@@ -216,4 +234,4 @@ static const uint8_t program_odometer[] = {
 };
 
 const struct mip_codec mip_sensor_odometer_codec = {
-    0x80, 0x40, MIP_DATA, 10, sizeof(struct mip_sensor_odometer), program_odometer};
+    0x80, 0x40, MIP_DATA, 10, sizeof(struct mip_sensor_odometer), 0, program_odometer};

@@ -8,7 +8,7 @@ static const uint8_t program_event_source[] = {
 };
 
 const struct mip_codec mip_shared_event_source_codec = {
-    0xFF, 0xD0, MIP_DATA, 1, sizeof(struct mip_shared_event_source), program_event_source};
+    0xFF, 0xD0, MIP_DATA, 1, sizeof(struct mip_shared_event_source), 0, program_event_source};
 
 static const uint8_t program_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_ticks, ticks)),
@@ -16,7 +16,7 @@ static const uint8_t program_ticks[] = {
 };
 
 const struct mip_codec mip_shared_ticks_codec = {
-    0xFF, 0xD1, MIP_DATA, 4, sizeof(struct mip_shared_ticks), program_ticks};
+    0xFF, 0xD1, MIP_DATA, 4, sizeof(struct mip_shared_ticks), 0, program_ticks};
 
 static const uint8_t program_delta_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_delta_ticks, ticks)),
@@ -24,7 +24,7 @@ static const uint8_t program_delta_ticks[] = {
 };
 
 const struct mip_codec mip_shared_delta_ticks_codec = {
-    0xFF, 0xD2, MIP_DATA, 4, sizeof(struct mip_shared_delta_ticks), program_delta_ticks};
+    0xFF, 0xD2, MIP_DATA, 4, sizeof(struct mip_shared_delta_ticks), 0, program_delta_ticks};
 
 static const uint8_t program_gps_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_gps_timestamp, tow)),
@@ -33,7 +33,7 @@ static const uint8_t program_gps_timestamp[] = {
 };
 
 const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF, 0xD3, MIP_DATA, 12, sizeof(struct mip_shared_gps_timestamp), program_gps_timestamp};
+    0xFF, 0xD3, MIP_DATA, 12, sizeof(struct mip_shared_gps_timestamp), 0, program_gps_timestamp};
 
 static const uint8_t program_delta_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_delta_time, seconds)),
@@ -41,7 +41,7 @@ static const uint8_t program_delta_time[] = {
 };
 
 const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF, 0xD4, MIP_DATA, 8, sizeof(struct mip_shared_delta_time), program_delta_time};
+    0xFF, 0xD4, MIP_DATA, 8, sizeof(struct mip_shared_delta_time), 0, program_delta_time};
 
 static const uint8_t program_reference_timestamp[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_reference_timestamp, nanoseconds)),
@@ -54,6 +54,7 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     MIP_DATA,
     8,
     sizeof(struct mip_shared_reference_timestamp),
+    0,
     program_reference_timestamp};
 
 static const uint8_t program_reference_time_delta[] = {
@@ -67,6 +68,7 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     MIP_DATA,
     8,
     sizeof(struct mip_shared_reference_time_delta),
+    0,
     program_reference_time_delta};
 
 static const uint8_t program_external_timestamp[] = {
@@ -81,6 +83,7 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     MIP_DATA,
     10,
     sizeof(struct mip_shared_external_timestamp),
+    0,
     program_external_timestamp};
 
 static const uint8_t program_external_time_delta[] = {
@@ -95,4 +98,5 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     MIP_DATA,
     10,
     sizeof(struct mip_shared_external_time_delta),
+    0,
     program_external_time_delta};

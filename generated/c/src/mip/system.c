@@ -20,6 +20,7 @@ const struct mip_codec mip_system_interface_control_codec = {
     MIP_COMMAND,
     0,
     sizeof(struct mip_system_interface_control),
+    0,
     program_interface_control};
 
 static bool asked_interface_control_1(const void *value) {
@@ -48,6 +49,7 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     MIP_RESPONSE,
     9,
     sizeof(struct mip_system_interface_control_response),
+    0,
     program_interface_control_response};
 
 static const uint8_t program_comm_mode[] = {
@@ -58,7 +60,7 @@ static const uint8_t program_comm_mode[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10, MIP_COMMAND, 0, sizeof(struct mip_system_comm_mode), program_comm_mode};
+    0x7F, 0x10, MIP_COMMAND, 0, sizeof(struct mip_system_comm_mode), 0, program_comm_mode};
 
 static bool asked_comm_mode_1(const void *value) {
     const struct mip_system_comm_mode *v = (const struct mip_system_comm_mode *)value;
@@ -84,4 +86,5 @@ const struct mip_codec mip_system_comm_mode_response_codec = {
     MIP_RESPONSE,
     1,
     sizeof(struct mip_system_comm_mode_response),
+    0,
     program_comm_mode_response};

@@ -8,7 +8,13 @@ static const uint8_t program_built_in_test[] = {
 };
 
 const struct mip_codec mip_system_data_built_in_test_codec = {
-    0xA0, 0x01, MIP_DATA, 16, sizeof(struct mip_system_data_built_in_test), program_built_in_test};
+    0xA0,
+    0x01,
+    MIP_DATA,
+    16,
+    sizeof(struct mip_system_data_built_in_test),
+    0,
+    program_built_in_test};
 
 static const uint8_t program_time_sync_status[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_system_data_time_sync_status, time_sync)),
@@ -21,6 +27,7 @@ const struct mip_codec mip_system_data_time_sync_status_codec = {
     MIP_DATA,
     2,
     sizeof(struct mip_system_data_time_sync_status),
+    0,
     program_time_sync_status};
 
 static const uint8_t program_gpio_state[] = {
@@ -29,7 +36,7 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_system_data_gpio_state_codec = {
-    0xA0, 0x03, MIP_DATA, 1, sizeof(struct mip_system_data_gpio_state), program_gpio_state};
+    0xA0, 0x03, MIP_DATA, 1, sizeof(struct mip_system_data_gpio_state), 0, program_gpio_state};
 
 static const uint8_t program_gpio_analog_value[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_data_gpio_analog_value, gpio_id)),
@@ -43,4 +50,5 @@ const struct mip_codec mip_system_data_gpio_analog_value_codec = {
     MIP_DATA,
     5,
     sizeof(struct mip_system_data_gpio_analog_value),
+    0,
     program_gpio_analog_value};

@@ -23,11 +23,12 @@
         return loading.get(name);
     }
 
-    /** The specification, for all tools of this page. */
+    /** The specification, for all tools of this page; null if the site is built without the workbench. */
     let known;
     async function protocol() {
-        await Promise.all([load("mip.js"), load("model.js")]);
-        known ??= new mip.Protocol(mipModel);
+        if (!document.querySelector("link[href$='assets/tools.css']")) return null;
+        await load("workbench.js");
+        known ??= new mip.Protocol(mip.model);
         return known;
     }
 
@@ -43,8 +44,7 @@
     async function fill(tool) {
         const show = async () => {
             const of = await protocol();
-            const given = mip.fragment() || tool.dataset.start;
-            mip[tool.dataset.tool](tool, of, { ...addresses, [tool.dataset.option]: given });
+            if (of) mip[tool.dataset.tool](tool, of, { ...addresses, start: mip.fragment() });
         };
         await show();
         addEventListener("hashchange", show);
@@ -214,24 +214,24 @@
         const results = element("div", {});
         const output = element("div", { class: "mip-search__output", hidden: "" }, status, results);
         const form = element("form", { class: "mip-search", role: "search", "aria-label": "This site" }, input, output);
-        let index;
+        let index; // of fields; null if the site has no workbench
 
         const show = () => {
             const text = input.value.trim();
             output.hidden = !text;
-            if (!text || !index) {
+            if (!text || index === undefined) {
                 results.replaceChildren();
                 status.textContent = text ? "Loading …" : "";
                 return;
             }
-            const ranked = mip.find(index, text, 2 * FIELDS);
+            const ranked = index ? mip.find(index, text, 2 * FIELDS) : [];
             const fields = fieldsOf(ranked.map(({ field }) => field)).slice(0, FIELDS);
             // What has the name that is typed, or is asked for by descriptor, comes before pages.
             const named = ranked.length > 0 && ranked[0].rank <= 0;
             const parts = passages(text, new Set(fields.map(shownBy)));
             const leading = named ? [] : parts.filter(({ leads }) => leads);
             const others = parts.filter((one) => !leading.includes(one));
-            const packet = mip.packetIn(index, text);
+            const packet = index && mip.packetIn(index, text);
             const inspector = packet ? [element("li", {}, openIn("inspector", "Packet: open in the inspector", packet))] : [];
             results.replaceChildren(
                 ...list("Tools", inspector),
@@ -245,9 +245,9 @@
             status.textContent = counts.length ? `${counts.join(" and ")} found, the best first.` : "Nothing found.";
         };
         const begin = async () => {
-            if (index) return;
+            if (index !== undefined) return;
             const of = await protocol();
-            index ??= mip.indexOf(of);
+            index ??= of && mip.indexOf(of);
             show();
             await load("text.js").catch(() => {}); // a site that is built without hooks.py has none
             if (document.activeElement === input) show();

@@ -1,32 +1,57 @@
 //! Fields: their sets and descriptors, and how commands are answered.
 
-/// The sets that a field belongs to; the constants and the sizes that distinguish it from others
-/// with its descriptor; and the commands that a response answers.
+/// The descriptor sets in which a field occurs: one, several, or a range; the constants and the sizes
+/// that distinguish it from others with its descriptor; and the commands that a response answers.
 macro_rules! field {
     (
-        $name:ident: $set:literal, $descriptor:literal, $text:literal;
-        $(in [$sets:pat];)?
+        $name:ident: $descriptor:literal, $text:literal;
+        in [$($sets:tt)+];
         $(constants $([$offset:literal: $($byte:literal)+])+;)?
         $(sizes $sizes:expr;)?
         $(answers $($command:ident)+;)?
     ) => {
         impl $crate::Field for $name {
-            const SET: u8 = $set;
+            sets! { $($sets)+ }
             const DESCRIPTOR: u8 = $descriptor;
             const NAME: &'static str = $text;
             $(const CONSTANTS: &'static [(usize, &'static [u8])] = &[$(($offset, &[$($byte),+])),+];)?
             $(const SIZES: core::ops::RangeInclusive<usize> = $sizes;)?
-
-            $(
-                #[inline]
-                fn in_set(set: u8) -> bool {
-                    matches!(set, $sets)
-                }
-            )?
         }
+
+        one_set! { $name $($sets)+ }
 
         $($(impl $crate::ResponseOf<$command> for $name {})+)?
     };
+}
+
+/// The members of [`Field`](crate::Field) on descriptor sets.
+macro_rules! sets {
+    ($first:literal..=$last:literal) => {
+        const SETS: &'static [u8] = &$crate::field::run::<{ $last - $first + 1 }>($first);
+
+        #[inline]
+        fn occurs_in(set: u8) -> bool {
+            matches!(set, $first..=$last)
+        }
+    };
+    ($($set:literal)+) => {
+        const SETS: &'static [u8] = &[$($set),+];
+
+        #[inline]
+        fn occurs_in(set: u8) -> bool {
+            matches!(set, $($set)|+)
+        }
+    };
+}
+
+/// A field in a single set has a constant for it.
+macro_rules! one_set {
+    ($name:ident $set:literal) => {
+        impl $crate::OneSet for $name {
+            const SET: u8 = $set;
+        }
+    };
+    ($name:ident $($several:tt)+) => {};
 }
 
 /// How a command is answered: with what, in which layouts, for which functions; and when not at all.

@@ -1,15 +1,18 @@
 //! The tables of all fields and devices.
 
-/// All fields, by descriptor set: their descriptions, and one type that can hold any of them.
+/// All fields, by the descriptor sets of their family: their descriptions, and one type that can hold
+/// any of them.
 macro_rules! registry {
     ($(
         #[cfg($when:meta)]
-        $first:literal..=$last:literal {
+        $family:pat => {
             $(
                 $(#[$meta:meta])*
                 $variant:ident($type:ty):
-                $role:ident $set:literal, $descriptor:literal, of $layouts:literal,
-                $name:literal, $title:literal, [$($linked:literal),*], { $($parameters:tt)* };
+                $role:ident $descriptor:literal $(in $sets:pat)?, of $layouts:literal,
+                $name:literal, $title:literal,
+                $({ $($set:literal $its_name:literal $($its_title:literal)?,)+ })?
+                [$($linked:literal),*], { $($parameters:tt)* };
             )*
         }
     )*) => {
@@ -55,13 +58,17 @@ macro_rules! registry {
                 }
 
                 const INFO: FieldInfo = FieldInfo {
-                    set: $set,
+                    sets: <$type as Field>::SETS,
                     descriptor: $descriptor,
                     role: Role::$role,
                     name: $name,
                     title: $title,
                     linked: &[$($linked),*],
-                    sets: ($first, $last),
+                    occurrences: &[$($(Occurrence {
+                        set: $set,
+                        name: $its_name,
+                        title: own!($title $(, $its_title)?),
+                    }),+)?],
                 };
 
                 const PARAMETERS: &'static [ParameterInfo] = parameters! { $($parameters)* };
@@ -83,9 +90,12 @@ macro_rules! registry {
             $(
                 #[cfg($when)]
                 {
-                    if matches!(field.set, $first..=$last) {
+                    if matches!(field.set, $family) {
                         match field.descriptor {
-                            $($descriptor if $layouts == 1 || field.has_layout_of::<$type>() => {
+                            $($descriptor
+                                if true $(&& matches!(field.set, $sets))?
+                                    && ($layouts == 1 || field.has_layout_of::<$type>()) =>
+                            {
                                 return visitor.visit::<$type>(field);
                             })*
                             _ => {}
@@ -152,14 +162,14 @@ macro_rules! registry {
                 }
             }
 
-            /// The field of this name, `set.field`, with the values of a tree.
+            /// The field of this name, or of this name in one of its sets, with the values of a tree.
             #[cfg(feature = "dynamic")]
             #[inline]
             pub fn from_value(
                 name: &str,
                 value: &crate::dynamic::Value,
             ) -> Result<Self, crate::dynamic::ValueError> {
-                match name {
+                match FieldInfo::by_name(name).map_or("", |info| info.name) {
                     $($(
                         #[cfg($when)]
                         $name => from_value::<$type>(value),
@@ -187,6 +197,16 @@ macro_rules! parameters {
             frame: optional!($($frame)?),
             members: parameters! { $($($members)*)? },
         }),*]
+    };
+}
+
+/// What is the same in all sets, unless a set has its own.
+macro_rules! own {
+    ($common:literal) => {
+        $common
+    };
+    ($common:literal, $own:literal) => {
+        $own
     };
 }
 

@@ -4,50 +4,50 @@ use super::*;
 
 registry! {
     #[cfg(feature = "base")]
-    0x01..=0x01 {
+    0x01 => {
         /// Ping (0x01,0x01).
         BasePing(crate::base::Ping):
-            Command 0x01, 0x01, of 1,
+            Command 0x01, of 1,
             "base.ping", "Ping",
             [], {};
         /// Set to idle (0x01,0x02).
         BaseSetIdle(crate::base::SetIdle):
-            Command 0x01, 0x02, of 1,
+            Command 0x02, of 1,
             "base.set_idle", "Set to idle",
             [], {};
         /// Get device information (0x01,0x03).
         BaseGetDeviceInfo(crate::base::GetDeviceInfo):
-            Command 0x01, 0x03, of 1,
+            Command 0x03, of 1,
             "base.get_device_info", "Get device information",
             ["base.get_device_info_response"], {};
         /// Get device descriptors (0x01,0x04).
         BaseGetDeviceDescriptors(crate::base::GetDeviceDescriptors):
-            Command 0x01, 0x04, of 1,
+            Command 0x04, of 1,
             "base.get_device_descriptors", "Get device descriptors",
             ["base.get_device_descriptors_response"], {};
         /// Built-in test (0x01,0x05).
         BaseBuiltInTest(crate::base::BuiltInTest):
-            Command 0x01, 0x05, of 1,
+            Command 0x05, of 1,
             "base.built_in_test", "Built-in test",
             ["base.built_in_test_response"], {};
         /// Resume (0x01,0x06).
         BaseResume(crate::base::Resume):
-            Command 0x01, 0x06, of 1,
+            Command 0x06, of 1,
             "base.resume", "Resume",
             [], {};
         /// Get device descriptors (extended) (0x01,0x07).
         BaseGetExtendedDescriptors(crate::base::GetExtendedDescriptors):
-            Command 0x01, 0x07, of 1,
+            Command 0x07, of 1,
             "base.get_extended_descriptors", "Get device descriptors (extended)",
             ["base.get_extended_descriptors_response"], {};
         /// Continuous built-in test (0x01,0x08).
         BaseContinuousBuiltInTest(crate::base::ContinuousBuiltInTest):
-            Command 0x01, 0x08, of 1,
+            Command 0x08, of 1,
             "base.continuous_built_in_test", "Continuous built-in test",
             ["base.continuous_built_in_test_response"], {};
         /// Comm port speed (0x01,0x09).
         BaseCommSpeed(crate::base::CommSpeed):
-            Command 0x01, 0x09, of 1,
+            Command 0x09, of 1,
             "base.comm_speed", "Comm port speed",
             ["base.comm_speed_response"], {
                 "function";
@@ -56,7 +56,7 @@ registry! {
             };
         /// GPS time update (0x01,0x72).
         BaseGpsTimeUpdate(crate::base::GpsTimeUpdate):
-            Command 0x01, 0x72, of 1,
+            Command 0x72, of 1,
             "base.gps_time_update", "GPS time update",
             ["base.gps_time_update_week_number_response", "base.gps_time_update_tow_response"], {
                 "function";
@@ -65,12 +65,12 @@ registry! {
             };
         /// Reset device (0x01,0x7E).
         BaseSoftReset(crate::base::SoftReset):
-            Command 0x01, 0x7E, of 1,
+            Command 0x7E, of 1,
             "base.soft_reset", "Reset device",
             [], {};
         /// Get device information response (0x01,0x81).
         BaseGetDeviceInfoResponse(crate::base::GetDeviceInfoResponse):
-            Response 0x01, 0x81, of 1,
+            Response 0x81, of 1,
             "base.get_device_info_response", "Get device information response",
             ["base.get_device_info"], {
                 "device_info" {
@@ -84,49 +84,49 @@ registry! {
             };
         /// Get device descriptors response (0x01,0x82).
         BaseGetDeviceDescriptorsResponse(crate::base::GetDeviceDescriptorsResponse):
-            Response 0x01, 0x82, of 1,
+            Response 0x82, of 1,
             "base.get_device_descriptors_response", "Get device descriptors response",
             ["base.get_device_descriptors"], {
                 "descriptors";
             };
         /// Built-in test response (0x01,0x83).
         BaseBuiltInTestResponse(crate::base::BuiltInTestResponse):
-            Response 0x01, 0x83, of 1,
+            Response 0x83, of 1,
             "base.built_in_test_response", "Built-in test response",
             ["base.built_in_test"], {
                 "result";
             };
         /// GPS time update, week number (0x01,0x84).
         BaseGpsTimeUpdateWeekNumberResponse(crate::base::GpsTimeUpdateWeekNumberResponse):
-            Response 0x01, 0x84, of 1,
+            Response 0x84, of 1,
             "base.gps_time_update_week_number_response", "GPS time update, week number",
             ["base.gps_time_update"], {
                 "week_number" in ["week"];
             };
         /// GPS time update, time of week (0x01,0x85).
         BaseGpsTimeUpdateTowResponse(crate::base::GpsTimeUpdateTowResponse):
-            Response 0x01, 0x85, of 1,
+            Response 0x85, of 1,
             "base.gps_time_update_tow_response", "GPS time update, time of week",
             ["base.gps_time_update"], {
                 "tow" in ["s"];
             };
         /// Get device descriptors (extended) response (0x01,0x86).
         BaseGetExtendedDescriptorsResponse(crate::base::GetExtendedDescriptorsResponse):
-            Response 0x01, 0x86, of 1,
+            Response 0x86, of 1,
             "base.get_extended_descriptors_response", "Get device descriptors (extended) response",
             ["base.get_extended_descriptors"], {
                 "descriptors";
             };
         /// Continuous built-in test response (0x01,0x88).
         BaseContinuousBuiltInTestResponse(crate::base::ContinuousBuiltInTestResponse):
-            Response 0x01, 0x88, of 1,
+            Response 0x88, of 1,
             "base.continuous_built_in_test_response", "Continuous built-in test response",
             ["base.continuous_built_in_test"], {
                 "result";
             };
         /// Comm port speed response (0x01,0x89).
         BaseCommSpeedResponse(crate::base::CommSpeedResponse):
-            Response 0x01, 0x89, of 1,
+            Response 0x89, of 1,
             "base.comm_speed_response", "Comm port speed response",
             ["base.comm_speed"], {
                 "port";
@@ -134,10 +134,10 @@ registry! {
             };
     }
     #[cfg(feature = "mip_3dm")]
-    0x0C..=0x0C {
+    0x0C => {
         /// Poll IMU Data (0x0C,0x01).
         Mip3dmPollImuData(crate::mip_3dm::PollImuData):
-            Command 0x0C, 0x01, of 1,
+            Command 0x01, of 1,
             "3dm.poll_imu_data", "Poll IMU Data",
             [], {
                 "suppress_ack";
@@ -148,7 +148,7 @@ registry! {
             };
         /// Poll GNSS Data (0x0C,0x02).
         Mip3dmPollGnssData(crate::mip_3dm::PollGnssData):
-            Command 0x0C, 0x02, of 1,
+            Command 0x02, of 1,
             "3dm.poll_gnss_data", "Poll GNSS Data",
             [], {
                 "suppress_ack";
@@ -159,7 +159,7 @@ registry! {
             };
         /// Poll Estimation Filter Data (0x0C,0x03).
         Mip3dmPollFilterData(crate::mip_3dm::PollFilterData):
-            Command 0x0C, 0x03, of 1,
+            Command 0x03, of 1,
             "3dm.poll_filter_data", "Poll Estimation Filter Data",
             [], {
                 "suppress_ack";
@@ -170,7 +170,7 @@ registry! {
             };
         /// Poll NMEA Data (0x0C,0x04).
         Mip3dmPollNmeaData(crate::mip_3dm::PollNmeaData):
-            Command 0x0C, 0x04, of 1,
+            Command 0x04, of 1,
             "3dm.poll_nmea_data", "Poll NMEA Data",
             [], {
                 "suppress_ack";
@@ -183,17 +183,17 @@ registry! {
             };
         /// Get IMU Data Base Rate (0x0C,0x06).
         Mip3dmGetImuBaseRate(crate::mip_3dm::GetImuBaseRate):
-            Command 0x0C, 0x06, of 1,
+            Command 0x06, of 1,
             "3dm.get_imu_base_rate", "Get IMU Data Base Rate",
             ["3dm.get_imu_base_rate_response"], {};
         /// Get GNSS Data Base Rate (0x0C,0x07).
         Mip3dmGetGnssBaseRate(crate::mip_3dm::GetGnssBaseRate):
-            Command 0x0C, 0x07, of 1,
+            Command 0x07, of 1,
             "3dm.get_gnss_base_rate", "Get GNSS Data Base Rate",
             ["3dm.get_gnss_base_rate_response"], {};
         /// IMU Message Format (0x0C,0x08).
         Mip3dmImuMessageFormat(crate::mip_3dm::ImuMessageFormat):
-            Command 0x0C, 0x08, of 1,
+            Command 0x08, of 1,
             "3dm.imu_message_format", "IMU Message Format",
             ["3dm.imu_message_format_response"], {
                 "function";
@@ -204,7 +204,7 @@ registry! {
             };
         /// GNSS Message Format (0x0C,0x09).
         Mip3dmGnssMessageFormat(crate::mip_3dm::GnssMessageFormat):
-            Command 0x0C, 0x09, of 1,
+            Command 0x09, of 1,
             "3dm.gnss_message_format", "GNSS Message Format",
             ["3dm.gnss_message_format_response"], {
                 "function";
@@ -215,7 +215,7 @@ registry! {
             };
         /// Estimation Filter Message Format (0x0C,0x0A).
         Mip3dmFilterMessageFormat(crate::mip_3dm::FilterMessageFormat):
-            Command 0x0C, 0x0A, of 1,
+            Command 0x0A, of 1,
             "3dm.filter_message_format", "Estimation Filter Message Format",
             ["3dm.filter_message_format_response"], {
                 "function";
@@ -226,12 +226,12 @@ registry! {
             };
         /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
         Mip3dmGetFilterBaseRate(crate::mip_3dm::GetFilterBaseRate):
-            Command 0x0C, 0x0B, of 1,
+            Command 0x0B, of 1,
             "3dm.get_filter_base_rate", "Get Estimation Filter Data Base Rate",
             ["3dm.get_filter_base_rate_response"], {};
         /// NMEA Message Format (0x0C,0x0C).
         Mip3dmNmeaMessageFormat(crate::mip_3dm::NmeaMessageFormat):
-            Command 0x0C, 0x0C, of 1,
+            Command 0x0C, of 1,
             "3dm.nmea_message_format", "NMEA Message Format",
             ["3dm.nmea_message_format_response"], {
                 "function";
@@ -244,7 +244,7 @@ registry! {
             };
         /// Poll Data (0x0C,0x0D).
         Mip3dmPollData(crate::mip_3dm::PollData):
-            Command 0x0C, 0x0D, of 1,
+            Command 0x0D, of 1,
             "3dm.poll_data", "Poll Data",
             [], {
                 "descriptor_set";
@@ -253,14 +253,14 @@ registry! {
             };
         /// Get Data Base Rate (0x0C,0x0E).
         Mip3dmGetBaseRate(crate::mip_3dm::GetBaseRate):
-            Command 0x0C, 0x0E, of 1,
+            Command 0x0E, of 1,
             "3dm.get_base_rate", "Get Data Base Rate",
             ["3dm.get_base_rate_response"], {
                 "descriptor_set";
             };
         /// Message Format (0x0C,0x0F).
         Mip3dmMessageFormat(crate::mip_3dm::MessageFormat):
-            Command 0x0C, 0x0F, of 1,
+            Command 0x0F, of 1,
             "3dm.message_format", "Message Format",
             ["3dm.message_format_response"], {
                 "function";
@@ -272,7 +272,7 @@ registry! {
             };
         /// Factory Streaming (0x0C,0x10).
         Mip3dmFactoryStreaming(crate::mip_3dm::FactoryStreaming):
-            Command 0x0C, 0x10, of 1,
+            Command 0x10, of 1,
             "3dm.factory_streaming", "Factory Streaming",
             [], {
                 "action";
@@ -280,7 +280,7 @@ registry! {
             };
         /// Data Stream Control (0x0C,0x11).
         Mip3dmDataStreamControl(crate::mip_3dm::DataStreamControl):
-            Command 0x0C, 0x11, of 1,
+            Command 0x11, of 1,
             "3dm.data_stream_control", "Data Stream Control",
             ["3dm.data_stream_control_response"], {
                 "function";
@@ -289,7 +289,7 @@ registry! {
             };
         /// Constellation Settings (0x0C,0x21).
         Mip3dmConstellationSettings(crate::mip_3dm::ConstellationSettings):
-            Command 0x0C, 0x21, of 1,
+            Command 0x21, of 1,
             "3dm.constellation_settings", "Constellation Settings",
             ["3dm.constellation_settings_response"], {
                 "function";
@@ -304,7 +304,7 @@ registry! {
             };
         /// GNSS SBAS Settings (0x0C,0x22).
         Mip3dmGnssSbasSettings(crate::mip_3dm::GnssSbasSettings):
-            Command 0x0C, 0x22, of 1,
+            Command 0x22, of 1,
             "3dm.gnss_sbas_settings", "GNSS SBAS Settings",
             ["3dm.gnss_sbas_settings_response"], {
                 "function";
@@ -314,7 +314,7 @@ registry! {
             };
         /// GNSS Assisted Fix (0x0C,0x23).
         Mip3dmGnssAssistedFix(crate::mip_3dm::GnssAssistedFix):
-            Command 0x0C, 0x23, of 1,
+            Command 0x23, of 1,
             "3dm.gnss_assisted_fix", "GNSS Assisted Fix",
             ["3dm.gnss_assisted_fix_response"], {
                 "function";
@@ -323,7 +323,7 @@ registry! {
             };
         /// GNSS Time Assistance (0x0C,0x24).
         Mip3dmGnssTimeAssistance(crate::mip_3dm::GnssTimeAssistance):
-            Command 0x0C, 0x24, of 1,
+            Command 0x24, of 1,
             "3dm.gnss_time_assistance", "GNSS Time Assistance",
             ["3dm.gnss_time_assistance_response"], {
                 "function";
@@ -333,7 +333,7 @@ registry! {
             };
         /// PPS Source Control (0x0C,0x28).
         Mip3dmPpsSourceControl(crate::mip_3dm::PpsSourceControl):
-            Command 0x0C, 0x28, of 1,
+            Command 0x28, of 1,
             "3dm.pps_source_control", "PPS Source Control",
             ["3dm.pps_source_control_response"], {
                 "function";
@@ -341,14 +341,14 @@ registry! {
             };
         /// Get Supported Events (0x0C,0x2A).
         Mip3dmGetEventSupport(crate::mip_3dm::GetEventSupport):
-            Command 0x0C, 0x2A, of 1,
+            Command 0x2A, of 1,
             "3dm.get_event_support", "Get Supported Events",
             ["3dm.get_event_support_response"], {
                 "query";
             };
         /// Event Control (0x0C,0x2B).
         Mip3dmEventControl(crate::mip_3dm::EventControl):
-            Command 0x0C, 0x2B, of 1,
+            Command 0x2B, of 1,
             "3dm.event_control", "Event Control",
             ["3dm.event_control_response"], {
                 "function";
@@ -357,21 +357,21 @@ registry! {
             };
         /// Get Event Trigger Status (0x0C,0x2C).
         Mip3dmGetEventTriggerStatus(crate::mip_3dm::GetEventTriggerStatus):
-            Command 0x0C, 0x2C, of 1,
+            Command 0x2C, of 1,
             "3dm.get_event_trigger_status", "Get Event Trigger Status",
             ["3dm.get_event_trigger_status_response"], {
                 "requested_instances";
             };
         /// Get Event Action Status (0x0C,0x2D).
         Mip3dmGetEventActionStatus(crate::mip_3dm::GetEventActionStatus):
-            Command 0x0C, 0x2D, of 1,
+            Command 0x2D, of 1,
             "3dm.get_event_action_status", "Get Event Action Status",
             ["3dm.get_event_action_status_response"], {
                 "requested_instances";
             };
         /// Event Trigger Configuration (0x0C,0x2E).
         Mip3dmEventTriggerConfig(crate::mip_3dm::EventTriggerConfig):
-            Command 0x0C, 0x2E, of 1,
+            Command 0x2E, of 1,
             "3dm.event_trigger_config", "Event Trigger Configuration",
             ["3dm.event_trigger_config_response"], {
                 "function";
@@ -406,7 +406,7 @@ registry! {
             };
         /// Event Action Configuration (0x0C,0x2F).
         Mip3dmEventActionConfig(crate::mip_3dm::EventActionConfig):
-            Command 0x0C, 0x2F, of 1,
+            Command 0x2F, of 1,
             "3dm.event_action_config", "Event Action Configuration",
             ["3dm.event_action_config_response"], {
                 "function";
@@ -427,14 +427,14 @@ registry! {
             };
         /// Device Start Up Settings (0x0C,0x30).
         Mip3dmDeviceSettings(crate::mip_3dm::DeviceSettings):
-            Command 0x0C, 0x30, of 1,
+            Command 0x30, of 1,
             "3dm.device_settings", "Device Start Up Settings",
             [], {
                 "function";
             };
         /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
         Mip3dmSensorToVehicleTransformEuler(crate::mip_3dm::SensorToVehicleTransformEuler):
-            Command 0x0C, 0x31, of 1,
+            Command 0x31, of 1,
             "3dm.sensor_to_vehicle_transform_euler", "Sensor-to-Vehicle Frame Transformation Euler",
             ["3dm.sensor_to_vehicle_transform_euler_response"], {
                 "function";
@@ -444,7 +444,7 @@ registry! {
             };
         /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
         Mip3dmSensorToVehicleTransformQuaternion(crate::mip_3dm::SensorToVehicleTransformQuaternion):
-            Command 0x0C, 0x32, of 1,
+            Command 0x32, of 1,
             "3dm.sensor_to_vehicle_transform_quaternion", "Sensor-to-Vehicle Frame Transformation Quaternion",
             ["3dm.sensor_to_vehicle_transform_quaternion_response"], {
                 "function";
@@ -452,7 +452,7 @@ registry! {
             };
         /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
         Mip3dmSensorToVehicleTransformDcm(crate::mip_3dm::SensorToVehicleTransformDcm):
-            Command 0x0C, 0x33, of 1,
+            Command 0x33, of 1,
             "3dm.sensor_to_vehicle_transform_dcm", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix",
             ["3dm.sensor_to_vehicle_transform_dcm_response"], {
                 "function";
@@ -460,7 +460,7 @@ registry! {
             };
         /// Accelerometer Bias Configuration (0x0C,0x37).
         Mip3dmAccelBias(crate::mip_3dm::AccelBias):
-            Command 0x0C, 0x37, of 1,
+            Command 0x37, of 1,
             "3dm.accel_bias", "Accelerometer Bias Configuration",
             ["3dm.accel_bias_response"], {
                 "function";
@@ -468,7 +468,7 @@ registry! {
             };
         /// Gyroscope Bias Configuration (0x0C,0x38).
         Mip3dmGyroBias(crate::mip_3dm::GyroBias):
-            Command 0x0C, 0x38, of 1,
+            Command 0x38, of 1,
             "3dm.gyro_bias", "Gyroscope Bias Configuration",
             ["3dm.gyro_bias_response"], {
                 "function";
@@ -476,14 +476,14 @@ registry! {
             };
         /// Capture Gyroscope Bias (0x0C,0x39).
         Mip3dmCaptureGyroBias(crate::mip_3dm::CaptureGyroBias):
-            Command 0x0C, 0x39, of 1,
+            Command 0x39, of 1,
             "3dm.capture_gyro_bias", "Capture Gyroscope Bias",
             ["3dm.gyro_bias_response"], {
                 "averaging_time_ms" in ["ms"];
             };
         /// Magnetometer Hard Iron Offset (0x0C,0x3A).
         Mip3dmMagHardIronOffset(crate::mip_3dm::MagHardIronOffset):
-            Command 0x0C, 0x3A, of 1,
+            Command 0x3A, of 1,
             "3dm.mag_hard_iron_offset", "Magnetometer Hard Iron Offset",
             ["3dm.mag_hard_iron_offset_response"], {
                 "function";
@@ -491,7 +491,7 @@ registry! {
             };
         /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
         Mip3dmMagSoftIronMatrix(crate::mip_3dm::MagSoftIronMatrix):
-            Command 0x0C, 0x3B, of 1,
+            Command 0x3B, of 1,
             "3dm.mag_soft_iron_matrix", "Magnetometer Soft Iron Matrix",
             ["3dm.mag_soft_iron_matrix_response"], {
                 "function";
@@ -499,7 +499,7 @@ registry! {
             };
         /// Coning and Sculling Enable (0x0C,0x3E).
         Mip3dmConingScullingEnable(crate::mip_3dm::ConingScullingEnable):
-            Command 0x0C, 0x3E, of 1,
+            Command 0x3E, of 1,
             "3dm.coning_sculling_enable", "Coning and Sculling Enable",
             ["3dm.coning_sculling_enable_response"], {
                 "function";
@@ -507,7 +507,7 @@ registry! {
             };
         /// UART Baud Rate (0x0C,0x40).
         Mip3dmUartBaudRate(crate::mip_3dm::UartBaudRate):
-            Command 0x0C, 0x40, of 1,
+            Command 0x40, of 1,
             "3dm.uart_baud_rate", "UART Baud Rate",
             ["3dm.uart_baud_rate_response"], {
                 "function";
@@ -515,7 +515,7 @@ registry! {
             };
         /// GPIO Configuration (0x0C,0x41).
         Mip3dmGpioConfig(crate::mip_3dm::GpioConfig):
-            Command 0x0C, 0x41, of 1,
+            Command 0x41, of 1,
             "3dm.gpio_config", "GPIO Configuration",
             ["3dm.gpio_config_response"], {
                 "function";
@@ -526,7 +526,7 @@ registry! {
             };
         /// GPIO State (0x0C,0x42).
         Mip3dmGpioState(crate::mip_3dm::GpioState):
-            Command 0x0C, 0x42, of 1,
+            Command 0x42, of 1,
             "3dm.gpio_state", "GPIO State",
             ["3dm.gpio_state_response"], {
                 "function";
@@ -535,7 +535,7 @@ registry! {
             };
         /// Odometer Configuration (0x0C,0x43).
         Mip3dmOdometerConfig(crate::mip_3dm::OdometerConfig):
-            Command 0x0C, 0x43, of 1,
+            Command 0x43, of 1,
             "3dm.odometer_config", "Odometer Configuration",
             ["3dm.odometer_config_response"], {
                 "function";
@@ -545,7 +545,7 @@ registry! {
             };
         /// Advanced Low-Pass Filter Settings (0x0C,0x50).
         Mip3dmImuLowPassFilter(crate::mip_3dm::ImuLowPassFilter):
-            Command 0x0C, 0x50, of 1,
+            Command 0x50, of 1,
             "3dm.imu_low_pass_filter", "Advanced Low-Pass Filter Settings",
             ["3dm.imu_low_pass_filter_response"], {
                 "function";
@@ -557,7 +557,7 @@ registry! {
             };
         /// Complementary Filter Configuration (0x0C,0x51).
         Mip3dmComplementaryFilter(crate::mip_3dm::ComplementaryFilter):
-            Command 0x0C, 0x51, of 1,
+            Command 0x51, of 1,
             "3dm.complementary_filter", "Complementary Filter Configuration",
             ["3dm.complementary_filter_response"], {
                 "function";
@@ -568,7 +568,7 @@ registry! {
             };
         /// Sensor Range (0x0C,0x52).
         Mip3dmSensorRange(crate::mip_3dm::SensorRange):
-            Command 0x0C, 0x52, of 1,
+            Command 0x52, of 1,
             "3dm.sensor_range", "Sensor Range",
             ["3dm.sensor_range_response"], {
                 "function";
@@ -577,14 +577,14 @@ registry! {
             };
         /// Get Calibrated Sensor Ranges (0x0C,0x53).
         Mip3dmGetCalibratedSensorRanges(crate::mip_3dm::GetCalibratedSensorRanges):
-            Command 0x0C, 0x53, of 1,
+            Command 0x53, of 1,
             "3dm.get_calibrated_sensor_ranges", "Get Calibrated Sensor Ranges",
             ["3dm.get_calibrated_sensor_ranges_response"], {
                 "sensor";
             };
         /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
         Mip3dmLowPassFilter(crate::mip_3dm::LowPassFilter):
-            Command 0x0C, 0x54, of 1,
+            Command 0x54, of 1,
             "3dm.low_pass_filter", "Low-Pass Anti-Aliasing Filter",
             ["3dm.low_pass_filter_response"], {
                 "function";
@@ -596,7 +596,7 @@ registry! {
             };
         /// Device Status (0x0C,0x64).
         Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
-            Command 0x0C, 0x64, of 1,
+            Command 0x64, of 1,
             "3dm.device_status", "Device Status",
             ["3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response"], {
                 "model_number";
@@ -604,7 +604,7 @@ registry! {
             };
         /// IMU Message Format response (0x0C,0x80).
         Mip3dmImuMessageFormatResponse(crate::mip_3dm::ImuMessageFormatResponse):
-            Response 0x0C, 0x80, of 1,
+            Response 0x80, of 1,
             "3dm.imu_message_format_response", "IMU Message Format response",
             ["3dm.imu_message_format"], {
                 "descriptors" {
@@ -614,7 +614,7 @@ registry! {
             };
         /// GNSS Message Format response (0x0C,0x81).
         Mip3dmGnssMessageFormatResponse(crate::mip_3dm::GnssMessageFormatResponse):
-            Response 0x0C, 0x81, of 1,
+            Response 0x81, of 1,
             "3dm.gnss_message_format_response", "GNSS Message Format response",
             ["3dm.gnss_message_format"], {
                 "descriptors" {
@@ -624,7 +624,7 @@ registry! {
             };
         /// Estimation Filter Message Format response (0x0C,0x82).
         Mip3dmFilterMessageFormatResponse(crate::mip_3dm::FilterMessageFormatResponse):
-            Response 0x0C, 0x82, of 1,
+            Response 0x82, of 1,
             "3dm.filter_message_format_response", "Estimation Filter Message Format response",
             ["3dm.filter_message_format"], {
                 "descriptors" {
@@ -634,21 +634,21 @@ registry! {
             };
         /// Get IMU Data Base Rate response (0x0C,0x83).
         Mip3dmGetImuBaseRateResponse(crate::mip_3dm::GetImuBaseRateResponse):
-            Response 0x0C, 0x83, of 1,
+            Response 0x83, of 1,
             "3dm.get_imu_base_rate_response", "Get IMU Data Base Rate response",
             ["3dm.get_imu_base_rate"], {
                 "rate" in ["Hz"];
             };
         /// Get GNSS Data Base Rate response (0x0C,0x84).
         Mip3dmGetGnssBaseRateResponse(crate::mip_3dm::GetGnssBaseRateResponse):
-            Response 0x0C, 0x84, of 1,
+            Response 0x84, of 1,
             "3dm.get_gnss_base_rate_response", "Get GNSS Data Base Rate response",
             ["3dm.get_gnss_base_rate"], {
                 "rate" in ["Hz"];
             };
         /// Data Stream Control response (0x0C,0x85).
         Mip3dmDataStreamControlResponse(crate::mip_3dm::DataStreamControlResponse):
-            Response 0x0C, 0x85, of 1,
+            Response 0x85, of 1,
             "3dm.data_stream_control_response", "Data Stream Control response",
             ["3dm.data_stream_control"], {
                 "descriptor_set";
@@ -656,21 +656,21 @@ registry! {
             };
         /// UART Baud Rate response (0x0C,0x87).
         Mip3dmUartBaudRateResponse(crate::mip_3dm::UartBaudRateResponse):
-            Response 0x0C, 0x87, of 1,
+            Response 0x87, of 1,
             "3dm.uart_baud_rate_response", "UART Baud Rate response",
             ["3dm.uart_baud_rate"], {
                 "baud" in ["Bd"];
             };
         /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
         Mip3dmGetFilterBaseRateResponse(crate::mip_3dm::GetFilterBaseRateResponse):
-            Response 0x0C, 0x8A, of 1,
+            Response 0x8A, of 1,
             "3dm.get_filter_base_rate_response", "Get Estimation Filter Data Base Rate response",
             ["3dm.get_filter_base_rate"], {
                 "rate" in ["Hz"];
             };
         /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
         Mip3dmImuLowPassFilterResponse(crate::mip_3dm::ImuLowPassFilterResponse):
-            Response 0x0C, 0x8B, of 1,
+            Response 0x8B, of 1,
             "3dm.imu_low_pass_filter_response", "Advanced Low-Pass Filter Settings response",
             ["3dm.imu_low_pass_filter"], {
                 "target_descriptor";
@@ -681,7 +681,7 @@ registry! {
             };
         /// NMEA Message Format response (0x0C,0x8C).
         Mip3dmNmeaMessageFormatResponse(crate::mip_3dm::NmeaMessageFormatResponse):
-            Response 0x0C, 0x8C, of 1,
+            Response 0x8C, of 1,
             "3dm.nmea_message_format_response", "NMEA Message Format response",
             ["3dm.nmea_message_format"], {
                 "format_entries" {
@@ -693,7 +693,7 @@ registry! {
             };
         /// Get Data Base Rate response (0x0C,0x8E).
         Mip3dmGetBaseRateResponse(crate::mip_3dm::GetBaseRateResponse):
-            Response 0x0C, 0x8E, of 1,
+            Response 0x8E, of 1,
             "3dm.get_base_rate_response", "Get Data Base Rate response",
             ["3dm.get_base_rate"], {
                 "descriptor_set";
@@ -701,7 +701,7 @@ registry! {
             };
         /// Message Format response (0x0C,0x8F).
         Mip3dmMessageFormatResponse(crate::mip_3dm::MessageFormatResponse):
-            Response 0x0C, 0x8F, of 1,
+            Response 0x8F, of 1,
             "3dm.message_format_response", "Message Format response",
             ["3dm.message_format"], {
                 "descriptor_set";
@@ -712,7 +712,7 @@ registry! {
             };
         /// Basic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusBasicResponse(crate::mip_3dm::DeviceStatusBasicResponse):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_basic_response", "Basic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -722,7 +722,7 @@ registry! {
             };
         /// Basic Device Status without a state (0x0C,0x90).
         Mip3dmDeviceStatusBasicWithoutStateResponse(crate::mip_3dm::DeviceStatusBasicWithoutStateResponse):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_basic_without_state_response", "Basic Device Status without a state",
             ["3dm.device_status"], {
                 "model_number";
@@ -731,7 +731,7 @@ registry! {
             };
         /// Diagnostic Device Status (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticResponse(crate::mip_3dm::DeviceStatusDiagnosticResponse):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_response", "Diagnostic Device Status",
             ["3dm.device_status"], {
                 "model_number";
@@ -752,7 +752,7 @@ registry! {
             };
         /// Diagnostic Device Status with GNSS (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGnssResponse(crate::mip_3dm::DeviceStatusDiagnosticGnssResponse):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_gnss_response", "Diagnostic Device Status with GNSS",
             ["3dm.device_status"], {
                 "model_number";
@@ -781,7 +781,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGq4_45Response(crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic Device Status of the 3DM-GQ4-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -813,7 +813,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticRq1_45Response(crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic Device Status of the 3DM-RQ1-45",
             ["3dm.device_status"], {
                 "model_number";
@@ -845,7 +845,7 @@ registry! {
             };
         /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticGx4Response(crate::mip_3dm::DeviceStatusDiagnosticGx4Response):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_gx4_response", "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
             ["3dm.device_status"], {
                 "model_number";
@@ -871,7 +871,7 @@ registry! {
             };
         /// Diagnostic Device Status of an IMU (0x0C,0x90).
         Mip3dmDeviceStatusDiagnosticImuResponse(crate::mip_3dm::DeviceStatusDiagnosticImuResponse):
-            Response 0x0C, 0x90, of 8,
+            Response 0x90, of 8,
             "3dm.device_status_diagnostic_imu_response", "Diagnostic Device Status of an IMU",
             ["3dm.device_status"], {
                 "model_number";
@@ -897,7 +897,7 @@ registry! {
             };
         /// Complementary Filter Configuration response (0x0C,0x97).
         Mip3dmComplementaryFilterResponse(crate::mip_3dm::ComplementaryFilterResponse):
-            Response 0x0C, 0x97, of 1,
+            Response 0x97, of 1,
             "3dm.complementary_filter_response", "Complementary Filter Configuration response",
             ["3dm.complementary_filter"], {
                 "pitch_roll_enable";
@@ -907,42 +907,42 @@ registry! {
             };
         /// Accelerometer Bias Configuration response (0x0C,0x9A).
         Mip3dmAccelBiasResponse(crate::mip_3dm::AccelBiasResponse):
-            Response 0x0C, 0x9A, of 1,
+            Response 0x9A, of 1,
             "3dm.accel_bias_response", "Accelerometer Bias Configuration response",
             ["3dm.accel_bias"], {
                 "bias": ["x" "y" "z"] in ["g"] of "sensor";
             };
         /// Gyroscope Bias Configuration response (0x0C,0x9B).
         Mip3dmGyroBiasResponse(crate::mip_3dm::GyroBiasResponse):
-            Response 0x0C, 0x9B, of 1,
+            Response 0x9B, of 1,
             "3dm.gyro_bias_response", "Gyroscope Bias Configuration response",
             ["3dm.gyro_bias", "3dm.capture_gyro_bias"], {
                 "bias": ["x" "y" "z"] in ["rad/s"] of "sensor";
             };
         /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
         Mip3dmMagHardIronOffsetResponse(crate::mip_3dm::MagHardIronOffsetResponse):
-            Response 0x0C, 0x9C, of 1,
+            Response 0x9C, of 1,
             "3dm.mag_hard_iron_offset_response", "Magnetometer Hard Iron Offset response",
             ["3dm.mag_hard_iron_offset"], {
                 "offset": ["x" "y" "z"] in ["gauss"] of "sensor";
             };
         /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
         Mip3dmMagSoftIronMatrixResponse(crate::mip_3dm::MagSoftIronMatrixResponse):
-            Response 0x0C, 0x9D, of 1,
+            Response 0x9D, of 1,
             "3dm.mag_soft_iron_matrix_response", "Magnetometer Soft Iron Matrix response",
             ["3dm.mag_soft_iron_matrix"], {
                 "matrix": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "sensor";
             };
         /// Coning and Sculling Enable response (0x0C,0x9E).
         Mip3dmConingScullingEnableResponse(crate::mip_3dm::ConingScullingEnableResponse):
-            Response 0x0C, 0x9E, of 1,
+            Response 0x9E, of 1,
             "3dm.coning_sculling_enable_response", "Coning and Sculling Enable response",
             ["3dm.coning_sculling_enable"], {
                 "enable";
             };
         /// Constellation Settings response (0x0C,0xA0).
         Mip3dmConstellationSettingsResponse(crate::mip_3dm::ConstellationSettingsResponse):
-            Response 0x0C, 0xA0, of 1,
+            Response 0xA0, of 1,
             "3dm.constellation_settings_response", "Constellation Settings response",
             ["3dm.constellation_settings"], {
                 "max_channels_available" in ["1"];
@@ -957,7 +957,7 @@ registry! {
             };
         /// GNSS SBAS Settings response (0x0C,0xA1).
         Mip3dmGnssSbasSettingsResponse(crate::mip_3dm::GnssSbasSettingsResponse):
-            Response 0x0C, 0xA1, of 1,
+            Response 0xA1, of 1,
             "3dm.gnss_sbas_settings_response", "GNSS SBAS Settings response",
             ["3dm.gnss_sbas_settings"], {
                 "enable_sbas";
@@ -966,7 +966,7 @@ registry! {
             };
         /// GNSS Assisted Fix response (0x0C,0xA2).
         Mip3dmGnssAssistedFixResponse(crate::mip_3dm::GnssAssistedFixResponse):
-            Response 0x0C, 0xA2, of 1,
+            Response 0xA2, of 1,
             "3dm.gnss_assisted_fix_response", "GNSS Assisted Fix response",
             ["3dm.gnss_assisted_fix"], {
                 "option";
@@ -974,7 +974,7 @@ registry! {
             };
         /// GNSS Time Assistance response (0x0C,0xA3).
         Mip3dmGnssTimeAssistanceResponse(crate::mip_3dm::GnssTimeAssistanceResponse):
-            Response 0x0C, 0xA3, of 1,
+            Response 0xA3, of 1,
             "3dm.gnss_time_assistance_response", "GNSS Time Assistance response",
             ["3dm.gnss_time_assistance"], {
                 "tow" in ["s"];
@@ -983,14 +983,14 @@ registry! {
             };
         /// PPS Source Control response (0x0C,0xA8).
         Mip3dmPpsSourceControlResponse(crate::mip_3dm::PpsSourceControlResponse):
-            Response 0x0C, 0xA8, of 1,
+            Response 0xA8, of 1,
             "3dm.pps_source_control_response", "PPS Source Control response",
             ["3dm.pps_source_control"], {
                 "source";
             };
         /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
         Mip3dmSensorToVehicleTransformEulerResponse(crate::mip_3dm::SensorToVehicleTransformEulerResponse):
-            Response 0x0C, 0xB1, of 1,
+            Response 0xB1, of 1,
             "3dm.sensor_to_vehicle_transform_euler_response", "Sensor-to-Vehicle Frame Transformation Euler response",
             ["3dm.sensor_to_vehicle_transform_euler"], {
                 "roll" in ["rad"];
@@ -999,21 +999,21 @@ registry! {
             };
         /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
         Mip3dmSensorToVehicleTransformQuaternionResponse(crate::mip_3dm::SensorToVehicleTransformQuaternionResponse):
-            Response 0x0C, 0xB2, of 1,
+            Response 0xB2, of 1,
             "3dm.sensor_to_vehicle_transform_quaternion_response", "Sensor-to-Vehicle Frame Transformation Quaternion response",
             ["3dm.sensor_to_vehicle_transform_quaternion"], {
                 "q": ["w" "x" "y" "z"] in ["1"];
             };
         /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
         Mip3dmSensorToVehicleTransformDcmResponse(crate::mip_3dm::SensorToVehicleTransformDcmResponse):
-            Response 0x0C, 0xB3, of 1,
+            Response 0xB3, of 1,
             "3dm.sensor_to_vehicle_transform_dcm_response", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response",
             ["3dm.sensor_to_vehicle_transform_dcm"], {
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
         /// Get Supported Events response (0x0C,0xB4).
         Mip3dmGetEventSupportResponse(crate::mip_3dm::GetEventSupportResponse):
-            Response 0x0C, 0xB4, of 1,
+            Response 0xB4, of 1,
             "3dm.get_event_support_response", "Get Supported Events response",
             ["3dm.get_event_support"], {
                 "query";
@@ -1025,7 +1025,7 @@ registry! {
             };
         /// Event Control response (0x0C,0xB5).
         Mip3dmEventControlResponse(crate::mip_3dm::EventControlResponse):
-            Response 0x0C, 0xB5, of 1,
+            Response 0xB5, of 1,
             "3dm.event_control_response", "Event Control response",
             ["3dm.event_control"], {
                 "instance";
@@ -1033,7 +1033,7 @@ registry! {
             };
         /// Get Event Trigger Status response (0x0C,0xB6).
         Mip3dmGetEventTriggerStatusResponse(crate::mip_3dm::GetEventTriggerStatusResponse):
-            Response 0x0C, 0xB6, of 1,
+            Response 0xB6, of 1,
             "3dm.get_event_trigger_status_response", "Get Event Trigger Status response",
             ["3dm.get_event_trigger_status"], {
                 "triggers" {
@@ -1043,7 +1043,7 @@ registry! {
             };
         /// Get Event Action Status response (0x0C,0xB7).
         Mip3dmGetEventActionStatusResponse(crate::mip_3dm::GetEventActionStatusResponse):
-            Response 0x0C, 0xB7, of 1,
+            Response 0xB7, of 1,
             "3dm.get_event_action_status_response", "Get Event Action Status response",
             ["3dm.get_event_action_status"], {
                 "actions" {
@@ -1053,7 +1053,7 @@ registry! {
             };
         /// Event Trigger Configuration response (0x0C,0xB8).
         Mip3dmEventTriggerConfigResponse(crate::mip_3dm::EventTriggerConfigResponse):
-            Response 0x0C, 0xB8, of 1,
+            Response 0xB8, of 1,
             "3dm.event_trigger_config_response", "Event Trigger Configuration response",
             ["3dm.event_trigger_config"], {
                 "instance";
@@ -1087,7 +1087,7 @@ registry! {
             };
         /// Event Action Configuration response (0x0C,0xB9).
         Mip3dmEventActionConfigResponse(crate::mip_3dm::EventActionConfigResponse):
-            Response 0x0C, 0xB9, of 1,
+            Response 0xB9, of 1,
             "3dm.event_action_config_response", "Event Action Configuration response",
             ["3dm.event_action_config"], {
                 "instance";
@@ -1107,7 +1107,7 @@ registry! {
             };
         /// GPIO Configuration response (0x0C,0xC1).
         Mip3dmGpioConfigResponse(crate::mip_3dm::GpioConfigResponse):
-            Response 0x0C, 0xC1, of 1,
+            Response 0xC1, of 1,
             "3dm.gpio_config_response", "GPIO Configuration response",
             ["3dm.gpio_config"], {
                 "pin";
@@ -1117,7 +1117,7 @@ registry! {
             };
         /// GPIO State response (0x0C,0xC2).
         Mip3dmGpioStateResponse(crate::mip_3dm::GpioStateResponse):
-            Response 0x0C, 0xC2, of 1,
+            Response 0xC2, of 1,
             "3dm.gpio_state_response", "GPIO State response",
             ["3dm.gpio_state"], {
                 "pin";
@@ -1125,7 +1125,7 @@ registry! {
             };
         /// Odometer Configuration response (0x0C,0xC3).
         Mip3dmOdometerConfigResponse(crate::mip_3dm::OdometerConfigResponse):
-            Response 0x0C, 0xC3, of 1,
+            Response 0xC3, of 1,
             "3dm.odometer_config_response", "Odometer Configuration response",
             ["3dm.odometer_config"], {
                 "mode";
@@ -1134,7 +1134,7 @@ registry! {
             };
         /// Sensor Range response (0x0C,0xD2).
         Mip3dmSensorRangeResponse(crate::mip_3dm::SensorRangeResponse):
-            Response 0x0C, 0xD2, of 1,
+            Response 0xD2, of 1,
             "3dm.sensor_range_response", "Sensor Range response",
             ["3dm.sensor_range"], {
                 "sensor";
@@ -1142,7 +1142,7 @@ registry! {
             };
         /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
         Mip3dmGetCalibratedSensorRangesResponse(crate::mip_3dm::GetCalibratedSensorRangesResponse):
-            Response 0x0C, 0xD3, of 1,
+            Response 0xD3, of 1,
             "3dm.get_calibrated_sensor_ranges_response", "Get Calibrated Sensor Ranges response",
             ["3dm.get_calibrated_sensor_ranges"], {
                 "sensor";
@@ -1153,7 +1153,7 @@ registry! {
             };
         /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
         Mip3dmLowPassFilterResponse(crate::mip_3dm::LowPassFilterResponse):
-            Response 0x0C, 0xD4, of 1,
+            Response 0xD4, of 1,
             "3dm.low_pass_filter_response", "Low-Pass Anti-Aliasing Filter response",
             ["3dm.low_pass_filter"], {
                 "descriptor_set";
@@ -1164,15 +1164,15 @@ registry! {
             };
     }
     #[cfg(feature = "filter")]
-    0x0D..=0x0D {
+    0x0D => {
         /// Reset navigation filter (0x0D,0x01).
         FilterReset(crate::filter::Reset):
-            Command 0x0D, 0x01, of 1,
+            Command 0x01, of 1,
             "filter.reset", "Reset navigation filter",
             [], {};
         /// Set initial attitude (0x0D,0x02).
         FilterSetInitialAttitude(crate::filter::SetInitialAttitude):
-            Command 0x0D, 0x02, of 1,
+            Command 0x02, of 1,
             "filter.set_initial_attitude", "Set initial attitude",
             [], {
                 "roll" in ["rad"] of "ned";
@@ -1181,19 +1181,19 @@ registry! {
             };
         /// Set initial heading (0x0D,0x03).
         FilterSetInitialHeading(crate::filter::SetInitialHeading):
-            Command 0x0D, 0x03, of 1,
+            Command 0x03, of 1,
             "filter.set_initial_heading", "Set initial heading",
             [], {
                 "heading" in ["rad"] of "ned";
             };
         /// Run navigation filter (0x0D,0x05).
         FilterRun(crate::filter::Run):
-            Command 0x0D, 0x05, of 1,
+            Command 0x05, of 1,
             "filter.run", "Run navigation filter",
             [], {};
         /// Vehicle dynamics mode (0x0D,0x10).
         FilterVehicleDynamicsMode(crate::filter::VehicleDynamicsMode):
-            Command 0x0D, 0x10, of 1,
+            Command 0x10, of 1,
             "filter.vehicle_dynamics_mode", "Vehicle dynamics mode",
             ["filter.vehicle_dynamics_mode_response"], {
                 "function";
@@ -1201,7 +1201,7 @@ registry! {
             };
         /// Sensor to vehicle frame transformation (0x0D,0x11).
         FilterSensorToVehicleRotationEuler(crate::filter::SensorToVehicleRotationEuler):
-            Command 0x0D, 0x11, of 1,
+            Command 0x11, of 1,
             "filter.sensor_to_vehicle_rotation_euler", "Sensor to vehicle frame transformation",
             ["filter.sensor_to_vehicle_rotation_euler_response"], {
                 "function";
@@ -1211,7 +1211,7 @@ registry! {
             };
         /// Sensor to vehicle offset (0x0D,0x12).
         FilterSensorToVehicleOffset(crate::filter::SensorToVehicleOffset):
-            Command 0x0D, 0x12, of 1,
+            Command 0x12, of 1,
             "filter.sensor_to_vehicle_offset", "Sensor to vehicle offset",
             ["filter.sensor_to_vehicle_offset_response"], {
                 "function";
@@ -1219,7 +1219,7 @@ registry! {
             };
         /// GNSS antenna offset (0x0D,0x13).
         FilterAntennaOffset(crate::filter::AntennaOffset):
-            Command 0x0D, 0x13, of 1,
+            Command 0x13, of 1,
             "filter.antenna_offset", "GNSS antenna offset",
             ["filter.antenna_offset_response"], {
                 "function";
@@ -1227,7 +1227,7 @@ registry! {
             };
         /// Estimation control flags (0x0D,0x14).
         FilterEstimationControl(crate::filter::EstimationControl):
-            Command 0x0D, 0x14, of 1,
+            Command 0x14, of 1,
             "filter.estimation_control", "Estimation control flags",
             ["filter.estimation_control_response"], {
                 "function";
@@ -1235,7 +1235,7 @@ registry! {
             };
         /// GNSS aiding source (0x0D,0x15).
         FilterGnssSource(crate::filter::GnssSource):
-            Command 0x0D, 0x15, of 1,
+            Command 0x15, of 1,
             "filter.gnss_source", "GNSS aiding source",
             ["filter.gnss_source_response"], {
                 "function";
@@ -1243,7 +1243,7 @@ registry! {
             };
         /// External GNSS update (0x0D,0x16).
         FilterExternalGnssUpdate(crate::filter::ExternalGnssUpdate):
-            Command 0x0D, 0x16, of 1,
+            Command 0x16, of 1,
             "filter.external_gnss_update", "External GNSS update",
             [], {
                 "tow" in ["s"];
@@ -1257,7 +1257,7 @@ registry! {
             };
         /// External heading update (0x0D,0x17).
         FilterExternalHeadingUpdate(crate::filter::ExternalHeadingUpdate):
-            Command 0x0D, 0x17, of 1,
+            Command 0x17, of 1,
             "filter.external_heading_update", "External heading update",
             [], {
                 "heading" in ["rad"] of "ned";
@@ -1266,7 +1266,7 @@ registry! {
             };
         /// Heading update control (0x0D,0x18).
         FilterHeadingSource(crate::filter::HeadingSource):
-            Command 0x0D, 0x18, of 1,
+            Command 0x18, of 1,
             "filter.heading_source", "Heading update control",
             ["filter.heading_source_response"], {
                 "function";
@@ -1274,7 +1274,7 @@ registry! {
             };
         /// Automatic initialization (0x0D,0x19).
         FilterAutoInitializationControl(crate::filter::AutoInitializationControl):
-            Command 0x0D, 0x19, of 1,
+            Command 0x19, of 1,
             "filter.auto_initialization_control", "Automatic initialization",
             ["filter.auto_initialization_control_response"], {
                 "function";
@@ -1282,7 +1282,7 @@ registry! {
             };
         /// Accelerometer noise (0x0D,0x1A).
         FilterAccelNoise(crate::filter::AccelNoise):
-            Command 0x0D, 0x1A, of 1,
+            Command 0x1A, of 1,
             "filter.accel_noise", "Accelerometer noise",
             ["filter.accel_noise_response"], {
                 "function";
@@ -1290,7 +1290,7 @@ registry! {
             };
         /// Gyroscope noise (0x0D,0x1B).
         FilterGyroNoise(crate::filter::GyroNoise):
-            Command 0x0D, 0x1B, of 1,
+            Command 0x1B, of 1,
             "filter.gyro_noise", "Gyroscope noise",
             ["filter.gyro_noise_response"], {
                 "function";
@@ -1298,7 +1298,7 @@ registry! {
             };
         /// Accelerometer bias model (0x0D,0x1C).
         FilterAccelBiasModel(crate::filter::AccelBiasModel):
-            Command 0x0D, 0x1C, of 1,
+            Command 0x1C, of 1,
             "filter.accel_bias_model", "Accelerometer bias model",
             ["filter.accel_bias_model_response"], {
                 "function";
@@ -1307,7 +1307,7 @@ registry! {
             };
         /// Gyroscope bias model (0x0D,0x1D).
         FilterGyroBiasModel(crate::filter::GyroBiasModel):
-            Command 0x0D, 0x1D, of 1,
+            Command 0x1D, of 1,
             "filter.gyro_bias_model", "Gyroscope bias model",
             ["filter.gyro_bias_model_response"], {
                 "function";
@@ -1316,7 +1316,7 @@ registry! {
             };
         /// Automatic zero velocity update (0x0D,0x1E).
         FilterAutoZupt(crate::filter::AutoZupt):
-            Command 0x0D, 0x1E, of 1,
+            Command 0x1E, of 1,
             "filter.auto_zupt", "Automatic zero velocity update",
             ["filter.auto_zupt_response"], {
                 "function";
@@ -1325,7 +1325,7 @@ registry! {
             };
         /// External heading update with time (0x0D,0x1F).
         FilterExternalHeadingUpdateWithTime(crate::filter::ExternalHeadingUpdateWithTime):
-            Command 0x0D, 0x1F, of 1,
+            Command 0x1F, of 1,
             "filter.external_heading_update_with_time", "External heading update with time",
             [], {
                 "tow" in ["s"];
@@ -1336,7 +1336,7 @@ registry! {
             };
         /// Zero angular rate update (0x0D,0x20).
         FilterAutoAngularZupt(crate::filter::AutoAngularZupt):
-            Command 0x0D, 0x20, of 1,
+            Command 0x20, of 1,
             "filter.auto_angular_zupt", "Zero angular rate update",
             ["filter.auto_angular_zupt_response"], {
                 "function";
@@ -1345,7 +1345,7 @@ registry! {
             };
         /// Tare orientation (0x0D,0x21).
         FilterTareOrientation(crate::filter::TareOrientation):
-            Command 0x0D, 0x21, of 1,
+            Command 0x21, of 1,
             "filter.tare_orientation", "Tare orientation",
             ["filter.tare_orientation_response"], {
                 "function";
@@ -1353,17 +1353,17 @@ registry! {
             };
         /// Commanded zero velocity update (0x0D,0x22).
         FilterCommandedZupt(crate::filter::CommandedZupt):
-            Command 0x0D, 0x22, of 1,
+            Command 0x22, of 1,
             "filter.commanded_zupt", "Commanded zero velocity update",
             [], {};
         /// Commanded zero angular rate update (0x0D,0x23).
         FilterCommandedAngularZupt(crate::filter::CommandedAngularZupt):
-            Command 0x0D, 0x23, of 1,
+            Command 0x23, of 1,
             "filter.commanded_angular_zupt", "Commanded zero angular rate update",
             [], {};
         /// Set reference position (0x0D,0x26).
         FilterReferencePosition(crate::filter::ReferencePosition):
-            Command 0x0D, 0x26, of 1,
+            Command 0x26, of 1,
             "filter.reference_position", "Set reference position",
             ["filter.reference_position_response"], {
                 "function";
@@ -1374,14 +1374,14 @@ registry! {
             };
         /// Capture automatic magnetometer calibration (0x0D,0x27).
         FilterMagCaptureAutoCalibration(crate::filter::MagCaptureAutoCalibration):
-            Command 0x0D, 0x27, of 1,
+            Command 0x27, of 1,
             "filter.mag_capture_auto_calibration", "Capture automatic magnetometer calibration",
             [], {
                 "function";
             };
         /// Gravity noise (0x0D,0x28).
         FilterGravityNoise(crate::filter::GravityNoise):
-            Command 0x0D, 0x28, of 1,
+            Command 0x28, of 1,
             "filter.gravity_noise", "Gravity noise",
             ["filter.gravity_noise_response"], {
                 "function";
@@ -1389,7 +1389,7 @@ registry! {
             };
         /// Pressure altitude noise (0x0D,0x29).
         FilterPressureAltitudeNoise(crate::filter::PressureAltitudeNoise):
-            Command 0x0D, 0x29, of 1,
+            Command 0x29, of 1,
             "filter.pressure_altitude_noise", "Pressure altitude noise",
             ["filter.pressure_altitude_noise_response"], {
                 "function";
@@ -1397,7 +1397,7 @@ registry! {
             };
         /// Hard iron offset noise (0x0D,0x2B).
         FilterHardIronOffsetNoise(crate::filter::HardIronOffsetNoise):
-            Command 0x0D, 0x2B, of 1,
+            Command 0x2B, of 1,
             "filter.hard_iron_offset_noise", "Hard iron offset noise",
             ["filter.hard_iron_offset_noise_response"], {
                 "function";
@@ -1405,7 +1405,7 @@ registry! {
             };
         /// Soft iron matrix noise (0x0D,0x2C).
         FilterSoftIronMatrixNoise(crate::filter::SoftIronMatrixNoise):
-            Command 0x0D, 0x2C, of 1,
+            Command 0x2C, of 1,
             "filter.soft_iron_matrix_noise", "Soft iron matrix noise",
             ["filter.soft_iron_matrix_noise_response"], {
                 "function";
@@ -1413,7 +1413,7 @@ registry! {
             };
         /// Enable or disable measurements (0x0D,0x41).
         FilterEnableMeasurements(crate::filter::EnableMeasurements):
-            Command 0x0D, 0x41, of 1,
+            Command 0x41, of 1,
             "filter.enable_measurements", "Enable or disable measurements",
             ["filter.enable_measurements_response"], {
                 "function";
@@ -1421,7 +1421,7 @@ registry! {
             };
         /// Magnetometer noise (0x0D,0x42).
         FilterMagNoise(crate::filter::MagNoise):
-            Command 0x0D, 0x42, of 1,
+            Command 0x42, of 1,
             "filter.mag_noise", "Magnetometer noise",
             ["filter.mag_noise_response"], {
                 "function";
@@ -1429,7 +1429,7 @@ registry! {
             };
         /// Magnetic declination source (0x0D,0x43).
         FilterMagneticDeclinationSource(crate::filter::MagneticDeclinationSource):
-            Command 0x0D, 0x43, of 1,
+            Command 0x43, of 1,
             "filter.magnetic_declination_source", "Magnetic declination source",
             ["filter.magnetic_declination_source_response"], {
                 "function";
@@ -1438,7 +1438,7 @@ registry! {
             };
         /// Gravity magnitude error adaptive measurement (0x0D,0x44).
         FilterAccelMagnitudeErrorAdaptiveMeasurement(crate::filter::AccelMagnitudeErrorAdaptiveMeasurement):
-            Command 0x0D, 0x44, of 1,
+            Command 0x44, of 1,
             "filter.accel_magnitude_error_adaptive_measurement", "Gravity magnitude error adaptive measurement",
             ["filter.accel_magnitude_error_adaptive_measurement_response"], {
                 "function";
@@ -1452,7 +1452,7 @@ registry! {
             };
         /// Magnetometer magnitude error adaptive measurement (0x0D,0x45).
         FilterMagMagnitudeErrorAdaptiveMeasurement(crate::filter::MagMagnitudeErrorAdaptiveMeasurement):
-            Command 0x0D, 0x45, of 1,
+            Command 0x45, of 1,
             "filter.mag_magnitude_error_adaptive_measurement", "Magnetometer magnitude error adaptive measurement",
             ["filter.mag_magnitude_error_adaptive_measurement_response"], {
                 "function";
@@ -1466,7 +1466,7 @@ registry! {
             };
         /// Magnetometer dip angle error adaptive measurement (0x0D,0x46).
         FilterMagDipAngleErrorAdaptiveMeasurement(crate::filter::MagDipAngleErrorAdaptiveMeasurement):
-            Command 0x0D, 0x46, of 1,
+            Command 0x46, of 1,
             "filter.mag_dip_angle_error_adaptive_measurement", "Magnetometer dip angle error adaptive measurement",
             ["filter.mag_dip_angle_error_adaptive_measurement_response"], {
                 "function";
@@ -1478,7 +1478,7 @@ registry! {
             };
         /// Altitude aiding (0x0D,0x47).
         FilterAltitudeAiding(crate::filter::AltitudeAiding):
-            Command 0x0D, 0x47, of 1,
+            Command 0x47, of 1,
             "filter.altitude_aiding", "Altitude aiding",
             ["filter.altitude_aiding_response"], {
                 "function";
@@ -1486,7 +1486,7 @@ registry! {
             };
         /// Pitch and roll aiding (0x0D,0x4B).
         FilterPitchRollAiding(crate::filter::PitchRollAiding):
-            Command 0x0D, 0x4B, of 1,
+            Command 0x4B, of 1,
             "filter.pitch_roll_aiding", "Pitch and roll aiding",
             ["filter.pitch_roll_aiding_response"], {
                 "function";
@@ -1494,7 +1494,7 @@ registry! {
             };
         /// Magnetic inclination source (0x0D,0x4C).
         FilterMagneticInclinationSource(crate::filter::MagneticInclinationSource):
-            Command 0x0D, 0x4C, of 1,
+            Command 0x4C, of 1,
             "filter.magnetic_inclination_source", "Magnetic inclination source",
             ["filter.magnetic_inclination_source_response"], {
                 "function";
@@ -1503,7 +1503,7 @@ registry! {
             };
         /// Magnetic field magnitude source (0x0D,0x4D).
         FilterMagneticMagnitudeSource(crate::filter::MagneticMagnitudeSource):
-            Command 0x0D, 0x4D, of 1,
+            Command 0x4D, of 1,
             "filter.magnetic_magnitude_source", "Magnetic field magnitude source",
             ["filter.magnetic_magnitude_source_response"], {
                 "function";
@@ -1512,7 +1512,7 @@ registry! {
             };
         /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
         FilterSensorToVehicleRotationDcm(crate::filter::SensorToVehicleRotationDcm):
-            Command 0x0D, 0x4E, of 1,
+            Command 0x4E, of 1,
             "filter.sensor_to_vehicle_rotation_dcm", "Sensor to vehicle rotation, matrix",
             ["filter.sensor_to_vehicle_rotation_dcm_response"], {
                 "function";
@@ -1520,7 +1520,7 @@ registry! {
             };
         /// Sensor to vehicle rotation, quaternion (0x0D,0x4F).
         FilterSensorToVehicleRotationQuaternion(crate::filter::SensorToVehicleRotationQuaternion):
-            Command 0x0D, 0x4F, of 1,
+            Command 0x4F, of 1,
             "filter.sensor_to_vehicle_rotation_quaternion", "Sensor to vehicle rotation, quaternion",
             ["filter.sensor_to_vehicle_rotation_quaternion_response"], {
                 "function";
@@ -1528,7 +1528,7 @@ registry! {
             };
         /// Aiding measurement control (0x0D,0x50).
         FilterAidingMeasurementEnable(crate::filter::AidingMeasurementEnable):
-            Command 0x0D, 0x50, of 1,
+            Command 0x50, of 1,
             "filter.aiding_measurement_enable", "Aiding measurement control",
             ["filter.aiding_measurement_enable_response"], {
                 "function";
@@ -1537,7 +1537,7 @@ registry! {
             };
         /// Kinematic constraint (0x0D,0x51).
         FilterKinematicConstraint(crate::filter::KinematicConstraint):
-            Command 0x0D, 0x51, of 1,
+            Command 0x51, of 1,
             "filter.kinematic_constraint", "Kinematic constraint",
             ["filter.kinematic_constraint_response"], {
                 "function";
@@ -1547,7 +1547,7 @@ registry! {
             };
         /// Navigation filter initialization (0x0D,0x52).
         FilterInitializationConfig(crate::filter::InitializationConfig):
-            Command 0x0D, 0x52, of 1,
+            Command 0x52, of 1,
             "filter.initialization_config", "Navigation filter initialization",
             ["filter.initialization_config_response"], {
                 "function";
@@ -1563,7 +1563,7 @@ registry! {
             };
         /// Adaptive filter control (0x0D,0x53).
         FilterAdaptiveFilterOptions(crate::filter::AdaptiveFilterOptions):
-            Command 0x0D, 0x53, of 1,
+            Command 0x53, of 1,
             "filter.adaptive_filter_options", "Adaptive filter control",
             ["filter.adaptive_filter_options_response"], {
                 "function";
@@ -1572,7 +1572,7 @@ registry! {
             };
         /// GNSS multi-antenna offset (0x0D,0x54).
         FilterMultiAntennaOffset(crate::filter::MultiAntennaOffset):
-            Command 0x0D, 0x54, of 1,
+            Command 0x54, of 1,
             "filter.multi_antenna_offset", "GNSS multi-antenna offset",
             ["filter.multi_antenna_offset_response"], {
                 "function";
@@ -1581,7 +1581,7 @@ registry! {
             };
         /// Relative position configuration (0x0D,0x55).
         FilterRelativePositionConfig(crate::filter::RelativePositionConfig):
-            Command 0x0D, 0x55, of 1,
+            Command 0x55, of 1,
             "filter.relative_position_config", "Relative position configuration",
             ["filter.relative_position_config_response"], {
                 "function";
@@ -1591,7 +1591,7 @@ registry! {
             };
         /// Reference point lever arm (0x0D,0x56).
         FilterReferencePointLeverArm(crate::filter::ReferencePointLeverArm):
-            Command 0x0D, 0x56, of 1,
+            Command 0x56, of 1,
             "filter.reference_point_lever_arm", "Reference point lever arm",
             ["filter.reference_point_lever_arm_response"], {
                 "function";
@@ -1600,7 +1600,7 @@ registry! {
             };
         /// Speed measurement (0x0D,0x60).
         FilterSpeedMeasurement(crate::filter::SpeedMeasurement):
-            Command 0x0D, 0x60, of 1,
+            Command 0x60, of 1,
             "filter.speed_measurement", "Speed measurement",
             [], {
                 "source";
@@ -1610,7 +1610,7 @@ registry! {
             };
         /// Speed measurement lever arm (0x0D,0x61).
         FilterSpeedLeverArm(crate::filter::SpeedLeverArm):
-            Command 0x0D, 0x61, of 1,
+            Command 0x61, of 1,
             "filter.speed_lever_arm", "Speed measurement lever arm",
             ["filter.speed_lever_arm_response"], {
                 "function";
@@ -1619,7 +1619,7 @@ registry! {
             };
         /// Vertical gyro constraint (0x0D,0x62).
         FilterVerticalGyroConstraintControl(crate::filter::VerticalGyroConstraintControl):
-            Command 0x0D, 0x62, of 1,
+            Command 0x62, of 1,
             "filter.vertical_gyro_constraint_control", "Vertical gyro constraint",
             ["filter.vertical_gyro_constraint_control_response"], {
                 "function";
@@ -1627,7 +1627,7 @@ registry! {
             };
         /// Wheeled vehicle constraint (0x0D,0x63).
         FilterWheeledVehicleConstraintControl(crate::filter::WheeledVehicleConstraintControl):
-            Command 0x0D, 0x63, of 1,
+            Command 0x63, of 1,
             "filter.wheeled_vehicle_constraint_control", "Wheeled vehicle constraint",
             ["filter.wheeled_vehicle_constraint_control_response"], {
                 "function";
@@ -1635,7 +1635,7 @@ registry! {
             };
         /// GNSS antenna offset calibration (0x0D,0x64).
         FilterGnssAntennaCalibrationControl(crate::filter::GnssAntennaCalibrationControl):
-            Command 0x0D, 0x64, of 1,
+            Command 0x64, of 1,
             "filter.gnss_antenna_calibration_control", "GNSS antenna offset calibration",
             ["filter.gnss_antenna_calibration_control_response"], {
                 "function";
@@ -1644,14 +1644,14 @@ registry! {
             };
         /// Vehicle dynamics mode response (0x0D,0x80).
         FilterVehicleDynamicsModeResponse(crate::filter::VehicleDynamicsModeResponse):
-            Response 0x0D, 0x80, of 1,
+            Response 0x80, of 1,
             "filter.vehicle_dynamics_mode_response", "Vehicle dynamics mode response",
             ["filter.vehicle_dynamics_mode"], {
                 "mode";
             };
         /// Sensor to vehicle frame transformation response (0x0D,0x81).
         FilterSensorToVehicleRotationEulerResponse(crate::filter::SensorToVehicleRotationEulerResponse):
-            Response 0x0D, 0x81, of 1,
+            Response 0x81, of 1,
             "filter.sensor_to_vehicle_rotation_euler_response", "Sensor to vehicle frame transformation response",
             ["filter.sensor_to_vehicle_rotation_euler"], {
                 "roll" in ["rad"];
@@ -1660,63 +1660,63 @@ registry! {
             };
         /// Sensor to vehicle offset response (0x0D,0x82).
         FilterSensorToVehicleOffsetResponse(crate::filter::SensorToVehicleOffsetResponse):
-            Response 0x0D, 0x82, of 1,
+            Response 0x82, of 1,
             "filter.sensor_to_vehicle_offset_response", "Sensor to vehicle offset response",
             ["filter.sensor_to_vehicle_offset"], {
                 "offset": ["x" "y" "z"] in ["m"] of "sensor";
             };
         /// GNSS antenna offset response (0x0D,0x83).
         FilterAntennaOffsetResponse(crate::filter::AntennaOffsetResponse):
-            Response 0x0D, 0x83, of 1,
+            Response 0x83, of 1,
             "filter.antenna_offset_response", "GNSS antenna offset response",
             ["filter.antenna_offset"], {
                 "offset": ["x" "y" "z"] in ["m"] of "vehicle";
             };
         /// Estimation control flags response (0x0D,0x84).
         FilterEstimationControlResponse(crate::filter::EstimationControlResponse):
-            Response 0x0D, 0x84, of 1,
+            Response 0x84, of 1,
             "filter.estimation_control_response", "Estimation control flags response",
             ["filter.estimation_control"], {
                 "flags";
             };
         /// GNSS aiding source response (0x0D,0x86).
         FilterGnssSourceResponse(crate::filter::GnssSourceResponse):
-            Response 0x0D, 0x86, of 1,
+            Response 0x86, of 1,
             "filter.gnss_source_response", "GNSS aiding source response",
             ["filter.gnss_source"], {
                 "source";
             };
         /// Heading update control response (0x0D,0x87).
         FilterHeadingSourceResponse(crate::filter::HeadingSourceResponse):
-            Response 0x0D, 0x87, of 1,
+            Response 0x87, of 1,
             "filter.heading_source_response", "Heading update control response",
             ["filter.heading_source"], {
                 "source";
             };
         /// Automatic initialization response (0x0D,0x88).
         FilterAutoInitializationControlResponse(crate::filter::AutoInitializationControlResponse):
-            Response 0x0D, 0x88, of 1,
+            Response 0x88, of 1,
             "filter.auto_initialization_control_response", "Automatic initialization response",
             ["filter.auto_initialization_control"], {
                 "enable";
             };
         /// Accelerometer noise response (0x0D,0x89).
         FilterAccelNoiseResponse(crate::filter::AccelNoiseResponse):
-            Response 0x0D, 0x89, of 1,
+            Response 0x89, of 1,
             "filter.accel_noise_response", "Accelerometer noise response",
             ["filter.accel_noise"], {
                 "noise": ["x" "y" "z"] in ["m/s^2"];
             };
         /// Gyroscope noise response (0x0D,0x8A).
         FilterGyroNoiseResponse(crate::filter::GyroNoiseResponse):
-            Response 0x0D, 0x8A, of 1,
+            Response 0x8A, of 1,
             "filter.gyro_noise_response", "Gyroscope noise response",
             ["filter.gyro_noise"], {
                 "noise": ["x" "y" "z"] in ["rad/s"];
             };
         /// Accelerometer bias model response (0x0D,0x8B).
         FilterAccelBiasModelResponse(crate::filter::AccelBiasModelResponse):
-            Response 0x0D, 0x8B, of 1,
+            Response 0x8B, of 1,
             "filter.accel_bias_model_response", "Accelerometer bias model response",
             ["filter.accel_bias_model"], {
                 "beta": ["x" "y" "z"] in ["1/s"];
@@ -1724,7 +1724,7 @@ registry! {
             };
         /// Gyroscope bias model response (0x0D,0x8C).
         FilterGyroBiasModelResponse(crate::filter::GyroBiasModelResponse):
-            Response 0x0D, 0x8C, of 1,
+            Response 0x8C, of 1,
             "filter.gyro_bias_model_response", "Gyroscope bias model response",
             ["filter.gyro_bias_model"], {
                 "beta": ["x" "y" "z"] in ["1/s"];
@@ -1732,7 +1732,7 @@ registry! {
             };
         /// Automatic zero velocity update response (0x0D,0x8D).
         FilterAutoZuptResponse(crate::filter::AutoZuptResponse):
-            Response 0x0D, 0x8D, of 1,
+            Response 0x8D, of 1,
             "filter.auto_zupt_response", "Automatic zero velocity update response",
             ["filter.auto_zupt"], {
                 "enable";
@@ -1740,7 +1740,7 @@ registry! {
             };
         /// Zero angular rate update response (0x0D,0x8E).
         FilterAutoAngularZuptResponse(crate::filter::AutoAngularZuptResponse):
-            Response 0x0D, 0x8E, of 1,
+            Response 0x8E, of 1,
             "filter.auto_angular_zupt_response", "Zero angular rate update response",
             ["filter.auto_angular_zupt"], {
                 "enable";
@@ -1748,7 +1748,7 @@ registry! {
             };
         /// Set reference position response (0x0D,0x90).
         FilterReferencePositionResponse(crate::filter::ReferencePositionResponse):
-            Response 0x0D, 0x90, of 1,
+            Response 0x90, of 1,
             "filter.reference_position_response", "Set reference position response",
             ["filter.reference_position"], {
                 "enable";
@@ -1758,56 +1758,56 @@ registry! {
             };
         /// Gravity noise response (0x0D,0x93).
         FilterGravityNoiseResponse(crate::filter::GravityNoiseResponse):
-            Response 0x0D, 0x93, of 1,
+            Response 0x93, of 1,
             "filter.gravity_noise_response", "Gravity noise response",
             ["filter.gravity_noise"], {
                 "noise": ["x" "y" "z"] in ["g"];
             };
         /// Pressure altitude noise response (0x0D,0x94).
         FilterPressureAltitudeNoiseResponse(crate::filter::PressureAltitudeNoiseResponse):
-            Response 0x0D, 0x94, of 1,
+            Response 0x94, of 1,
             "filter.pressure_altitude_noise_response", "Pressure altitude noise response",
             ["filter.pressure_altitude_noise"], {
                 "noise" in ["m"];
             };
         /// Hard iron offset noise response (0x0D,0x96).
         FilterHardIronOffsetNoiseResponse(crate::filter::HardIronOffsetNoiseResponse):
-            Response 0x0D, 0x96, of 1,
+            Response 0x96, of 1,
             "filter.hard_iron_offset_noise_response", "Hard iron offset noise response",
             ["filter.hard_iron_offset_noise"], {
                 "noise": ["x" "y" "z"] in ["gauss"];
             };
         /// Soft iron matrix noise response (0x0D,0x97).
         FilterSoftIronMatrixNoiseResponse(crate::filter::SoftIronMatrixNoiseResponse):
-            Response 0x0D, 0x97, of 1,
+            Response 0x97, of 1,
             "filter.soft_iron_matrix_noise_response", "Soft iron matrix noise response",
             ["filter.soft_iron_matrix_noise"], {
                 "noise": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
         /// Tare orientation response (0x0D,0xA1).
         FilterTareOrientationResponse(crate::filter::TareOrientationResponse):
-            Response 0x0D, 0xA1, of 1,
+            Response 0xA1, of 1,
             "filter.tare_orientation_response", "Tare orientation response",
             ["filter.tare_orientation"], {
                 "axes";
             };
         /// Enable or disable measurements response (0x0D,0xB0).
         FilterEnableMeasurementsResponse(crate::filter::EnableMeasurementsResponse):
-            Response 0x0D, 0xB0, of 1,
+            Response 0xB0, of 1,
             "filter.enable_measurements_response", "Enable or disable measurements response",
             ["filter.enable_measurements"], {
                 "control";
             };
         /// Magnetometer noise response (0x0D,0xB1).
         FilterMagNoiseResponse(crate::filter::MagNoiseResponse):
-            Response 0x0D, 0xB1, of 1,
+            Response 0xB1, of 1,
             "filter.mag_noise_response", "Magnetometer noise response",
             ["filter.mag_noise"], {
                 "noise": ["x" "y" "z"] in ["gauss"];
             };
         /// Magnetic declination source response (0x0D,0xB2).
         FilterMagneticDeclinationSourceResponse(crate::filter::MagneticDeclinationSourceResponse):
-            Response 0x0D, 0xB2, of 1,
+            Response 0xB2, of 1,
             "filter.magnetic_declination_source_response", "Magnetic declination source response",
             ["filter.magnetic_declination_source"], {
                 "source";
@@ -1815,7 +1815,7 @@ registry! {
             };
         /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
         FilterAccelMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::AccelMagnitudeErrorAdaptiveMeasurementResponse):
-            Response 0x0D, 0xB3, of 1,
+            Response 0xB3, of 1,
             "filter.accel_magnitude_error_adaptive_measurement_response", "Gravity magnitude error adaptive measurement response",
             ["filter.accel_magnitude_error_adaptive_measurement"], {
                 "adaptive_measurement";
@@ -1828,7 +1828,7 @@ registry! {
             };
         /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
         FilterMagMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::MagMagnitudeErrorAdaptiveMeasurementResponse):
-            Response 0x0D, 0xB4, of 1,
+            Response 0xB4, of 1,
             "filter.mag_magnitude_error_adaptive_measurement_response", "Magnetometer magnitude error adaptive measurement response",
             ["filter.mag_magnitude_error_adaptive_measurement"], {
                 "adaptive_measurement";
@@ -1841,7 +1841,7 @@ registry! {
             };
         /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
         FilterMagDipAngleErrorAdaptiveMeasurementResponse(crate::filter::MagDipAngleErrorAdaptiveMeasurementResponse):
-            Response 0x0D, 0xB5, of 1,
+            Response 0xB5, of 1,
             "filter.mag_dip_angle_error_adaptive_measurement_response", "Magnetometer dip angle error adaptive measurement response",
             ["filter.mag_dip_angle_error_adaptive_measurement"], {
                 "enable";
@@ -1852,21 +1852,21 @@ registry! {
             };
         /// Altitude aiding response (0x0D,0xB7).
         FilterAltitudeAidingResponse(crate::filter::AltitudeAidingResponse):
-            Response 0x0D, 0xB7, of 1,
+            Response 0xB7, of 1,
             "filter.altitude_aiding_response", "Altitude aiding response",
             ["filter.altitude_aiding"], {
                 "selector";
             };
         /// Pitch and roll aiding response (0x0D,0xBB).
         FilterPitchRollAidingResponse(crate::filter::PitchRollAidingResponse):
-            Response 0x0D, 0xBB, of 1,
+            Response 0xBB, of 1,
             "filter.pitch_roll_aiding_response", "Pitch and roll aiding response",
             ["filter.pitch_roll_aiding"], {
                 "aiding";
             };
         /// Magnetic inclination source response (0x0D,0xBC).
         FilterMagneticInclinationSourceResponse(crate::filter::MagneticInclinationSourceResponse):
-            Response 0x0D, 0xBC, of 1,
+            Response 0xBC, of 1,
             "filter.magnetic_inclination_source_response", "Magnetic inclination source response",
             ["filter.magnetic_inclination_source"], {
                 "source";
@@ -1874,7 +1874,7 @@ registry! {
             };
         /// Magnetic field magnitude source response (0x0D,0xBD).
         FilterMagneticMagnitudeSourceResponse(crate::filter::MagneticMagnitudeSourceResponse):
-            Response 0x0D, 0xBD, of 1,
+            Response 0xBD, of 1,
             "filter.magnetic_magnitude_source_response", "Magnetic field magnitude source response",
             ["filter.magnetic_magnitude_source"], {
                 "source";
@@ -1882,21 +1882,21 @@ registry! {
             };
         /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
         FilterSensorToVehicleRotationDcmResponse(crate::filter::SensorToVehicleRotationDcmResponse):
-            Response 0x0D, 0xBE, of 1,
+            Response 0xBE, of 1,
             "filter.sensor_to_vehicle_rotation_dcm_response", "Sensor to vehicle rotation, matrix response",
             ["filter.sensor_to_vehicle_rotation_dcm"], {
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
         /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
         FilterSensorToVehicleRotationQuaternionResponse(crate::filter::SensorToVehicleRotationQuaternionResponse):
-            Response 0x0D, 0xBF, of 1,
+            Response 0xBF, of 1,
             "filter.sensor_to_vehicle_rotation_quaternion_response", "Sensor to vehicle rotation, quaternion response",
             ["filter.sensor_to_vehicle_rotation_quaternion"], {
                 "q": ["w" "x" "y" "z"] in ["1"];
             };
         /// Aiding measurement control response (0x0D,0xD0).
         FilterAidingMeasurementEnableResponse(crate::filter::AidingMeasurementEnableResponse):
-            Response 0x0D, 0xD0, of 1,
+            Response 0xD0, of 1,
             "filter.aiding_measurement_enable_response", "Aiding measurement control response",
             ["filter.aiding_measurement_enable"], {
                 "aiding_source";
@@ -1904,7 +1904,7 @@ registry! {
             };
         /// Kinematic constraint response (0x0D,0xD1).
         FilterKinematicConstraintResponse(crate::filter::KinematicConstraintResponse):
-            Response 0x0D, 0xD1, of 1,
+            Response 0xD1, of 1,
             "filter.kinematic_constraint_response", "Kinematic constraint response",
             ["filter.kinematic_constraint"], {
                 "accel_constraint";
@@ -1913,7 +1913,7 @@ registry! {
             };
         /// Navigation filter initialization response (0x0D,0xD2).
         FilterInitializationConfigResponse(crate::filter::InitializationConfigResponse):
-            Response 0x0D, 0xD2, of 1,
+            Response 0xD2, of 1,
             "filter.initialization_config_response", "Navigation filter initialization response",
             ["filter.initialization_config"], {
                 "wait_for_run_command";
@@ -1928,7 +1928,7 @@ registry! {
             };
         /// Adaptive filter control response (0x0D,0xD3).
         FilterAdaptiveFilterOptionsResponse(crate::filter::AdaptiveFilterOptionsResponse):
-            Response 0x0D, 0xD3, of 1,
+            Response 0xD3, of 1,
             "filter.adaptive_filter_options_response", "Adaptive filter control response",
             ["filter.adaptive_filter_options"], {
                 "level";
@@ -1936,7 +1936,7 @@ registry! {
             };
         /// GNSS multi-antenna offset response (0x0D,0xD4).
         FilterMultiAntennaOffsetResponse(crate::filter::MultiAntennaOffsetResponse):
-            Response 0x0D, 0xD4, of 1,
+            Response 0xD4, of 1,
             "filter.multi_antenna_offset_response", "GNSS multi-antenna offset response",
             ["filter.multi_antenna_offset"], {
                 "receiver_id";
@@ -1944,7 +1944,7 @@ registry! {
             };
         /// Relative position configuration response (0x0D,0xD5).
         FilterRelativePositionConfigResponse(crate::filter::RelativePositionConfigResponse):
-            Response 0x0D, 0xD5, of 1,
+            Response 0xD5, of 1,
             "filter.relative_position_config_response", "Relative position configuration response",
             ["filter.relative_position_config"], {
                 "source";
@@ -1953,7 +1953,7 @@ registry! {
             };
         /// Reference point lever arm response (0x0D,0xD6).
         FilterReferencePointLeverArmResponse(crate::filter::ReferencePointLeverArmResponse):
-            Response 0x0D, 0xD6, of 1,
+            Response 0xD6, of 1,
             "filter.reference_point_lever_arm_response", "Reference point lever arm response",
             ["filter.reference_point_lever_arm"], {
                 "reference_point";
@@ -1961,7 +1961,7 @@ registry! {
             };
         /// Speed measurement lever arm response (0x0D,0xE1).
         FilterSpeedLeverArmResponse(crate::filter::SpeedLeverArmResponse):
-            Response 0x0D, 0xE1, of 1,
+            Response 0xE1, of 1,
             "filter.speed_lever_arm_response", "Speed measurement lever arm response",
             ["filter.speed_lever_arm"], {
                 "source";
@@ -1969,21 +1969,21 @@ registry! {
             };
         /// Vertical gyro constraint response (0x0D,0xE2).
         FilterVerticalGyroConstraintControlResponse(crate::filter::VerticalGyroConstraintControlResponse):
-            Response 0x0D, 0xE2, of 1,
+            Response 0xE2, of 1,
             "filter.vertical_gyro_constraint_control_response", "Vertical gyro constraint response",
             ["filter.vertical_gyro_constraint_control"], {
                 "enable";
             };
         /// Wheeled vehicle constraint response (0x0D,0xE3).
         FilterWheeledVehicleConstraintControlResponse(crate::filter::WheeledVehicleConstraintControlResponse):
-            Response 0x0D, 0xE3, of 1,
+            Response 0xE3, of 1,
             "filter.wheeled_vehicle_constraint_control_response", "Wheeled vehicle constraint response",
             ["filter.wheeled_vehicle_constraint_control"], {
                 "enable";
             };
         /// GNSS antenna offset calibration response (0x0D,0xE4).
         FilterGnssAntennaCalibrationControlResponse(crate::filter::GnssAntennaCalibrationControlResponse):
-            Response 0x0D, 0xE4, of 1,
+            Response 0xE4, of 1,
             "filter.gnss_antenna_calibration_control_response", "GNSS antenna offset calibration response",
             ["filter.gnss_antenna_calibration_control"], {
                 "enable";
@@ -1991,15 +1991,15 @@ registry! {
             };
     }
     #[cfg(feature = "gnss")]
-    0x0E..=0x0E {
+    0x0E => {
         /// Receiver info (0x0E,0x01).
         GnssReceiverInfo(crate::gnss::ReceiverInfo):
-            Command 0x0E, 0x01, of 1,
+            Command 0x01, of 1,
             "gnss.receiver_info", "Receiver info",
             ["gnss.receiver_info_response"], {};
         /// Signal configuration (0x0E,0x02).
         GnssSignalConfig(crate::gnss::SignalConfig):
-            Command 0x0E, 0x02, of 1,
+            Command 0x02, of 1,
             "gnss.signal_config", "Signal configuration",
             ["gnss.signal_config_response"], {
                 "function";
@@ -2011,7 +2011,7 @@ registry! {
             };
         /// RTK dongle configuration (0x0E,0x10).
         GnssRtkDongleConfig(crate::gnss::RtkDongleConfig):
-            Command 0x0E, 0x10, of 1,
+            Command 0x10, of 1,
             "gnss.rtk_dongle_config", "RTK dongle configuration",
             ["gnss.rtk_dongle_config_response"], {
                 "function";
@@ -2020,7 +2020,7 @@ registry! {
             };
         /// SPARTN configuration (0x0E,0x20).
         GnssSpartnConfig(crate::gnss::SpartnConfig):
-            Command 0x0E, 0x20, of 1,
+            Command 0x20, of 1,
             "gnss.spartn_config", "SPARTN configuration",
             ["gnss.spartn_config_response"], {
                 "function";
@@ -2035,7 +2035,7 @@ registry! {
             };
         /// Receiver info response (0x0E,0x81).
         GnssReceiverInfoResponse(crate::gnss::ReceiverInfoResponse):
-            Response 0x0E, 0x81, of 1,
+            Response 0x81, of 1,
             "gnss.receiver_info_response", "Receiver info response",
             ["gnss.receiver_info"], {
                 "receiver_info" {
@@ -2046,7 +2046,7 @@ registry! {
             };
         /// Signal configuration response (0x0E,0x82).
         GnssSignalConfigResponse(crate::gnss::SignalConfigResponse):
-            Response 0x0E, 0x82, of 1,
+            Response 0x82, of 1,
             "gnss.signal_config_response", "Signal configuration response",
             ["gnss.signal_config"], {
                 "gps_enable";
@@ -2057,7 +2057,7 @@ registry! {
             };
         /// RTK dongle configuration response (0x0E,0x90).
         GnssRtkDongleConfigResponse(crate::gnss::RtkDongleConfigResponse):
-            Response 0x0E, 0x90, of 1,
+            Response 0x90, of 1,
             "gnss.rtk_dongle_config_response", "RTK dongle configuration response",
             ["gnss.rtk_dongle_config"], {
                 "enable";
@@ -2065,7 +2065,7 @@ registry! {
             };
         /// SPARTN configuration response (0x0E,0xA0).
         GnssSpartnConfigResponse(crate::gnss::SpartnConfigResponse):
-            Response 0x0E, 0xA0, of 1,
+            Response 0xA0, of 1,
             "gnss.spartn_config_response", "SPARTN configuration response",
             ["gnss.spartn_config"], {
                 "enable";
@@ -2079,35 +2079,35 @@ registry! {
             };
     }
     #[cfg(feature = "rtk")]
-    0x0F..=0x0F {
+    0x0F => {
         /// Get status flags (0x0F,0x01).
         RtkGetStatusFlags(crate::rtk::GetStatusFlags):
-            Command 0x0F, 0x01, of 1,
+            Command 0x01, of 1,
             "rtk.get_status_flags", "Get status flags",
             ["rtk.get_status_flags_response"], {};
         /// Get IMEI (0x0F,0x02).
         RtkGetImei(crate::rtk::GetImei):
-            Command 0x0F, 0x02, of 1,
+            Command 0x02, of 1,
             "rtk.get_imei", "Get IMEI",
             ["rtk.get_imei_response"], {};
         /// Get IMSI (0x0F,0x03).
         RtkGetImsi(crate::rtk::GetImsi):
-            Command 0x0F, 0x03, of 1,
+            Command 0x03, of 1,
             "rtk.get_imsi", "Get IMSI",
             ["rtk.get_imsi_response"], {};
         /// Get ICCID (0x0F,0x04).
         RtkGetIccid(crate::rtk::GetIccid):
-            Command 0x0F, 0x04, of 1,
+            Command 0x04, of 1,
             "rtk.get_iccid", "Get ICCID",
             ["rtk.get_iccid_response"], {};
         /// Get RSSI (0x0F,0x05).
         RtkGetRssi(crate::rtk::GetRssi):
-            Command 0x0F, 0x05, of 1,
+            Command 0x05, of 1,
             "rtk.get_rssi", "Get RSSI",
             ["rtk.get_rssi_response"], {};
         /// Connected device type (0x0F,0x06).
         RtkConnectedDeviceType(crate::rtk::ConnectedDeviceType):
-            Command 0x0F, 0x06, of 1,
+            Command 0x06, of 1,
             "rtk.connected_device_type", "Connected device type",
             ["rtk.connected_device_type_response"], {
                 "function";
@@ -2115,17 +2115,17 @@ registry! {
             };
         /// Get activation code (0x0F,0x07).
         RtkGetActivationCode(crate::rtk::GetActivationCode):
-            Command 0x0F, 0x07, of 1,
+            Command 0x07, of 1,
             "rtk.get_activation_code", "Get activation code",
             ["rtk.get_activation_code_response"], {};
         /// Get modem firmware version (0x0F,0x08).
         RtkGetModemFirmwareVersion(crate::rtk::GetModemFirmwareVersion):
-            Command 0x0F, 0x08, of 1,
+            Command 0x08, of 1,
             "rtk.get_modem_firmware_version", "Get modem firmware version",
             ["rtk.get_modem_firmware_version_response"], {};
         /// Service status (0x0F,0x0A).
         RtkServiceStatus(crate::rtk::ServiceStatus):
-            Command 0x0F, 0x0A, of 1,
+            Command 0x0A, of 1,
             "rtk.service_status", "Service status",
             ["rtk.service_status_response"], {
                 "reserved1";
@@ -2133,14 +2133,14 @@ registry! {
             };
         /// Erase storage (0x0F,0x20).
         RtkEraseStorage(crate::rtk::EraseStorage):
-            Command 0x0F, 0x20, of 1,
+            Command 0x20, of 1,
             "rtk.erase_storage", "Erase storage",
             [], {
                 "media";
             };
         /// LED control (0x0F,0x21).
         RtkLedControl(crate::rtk::LedControl):
-            Command 0x0F, 0x21, of 1,
+            Command 0x21, of 1,
             "rtk.led_control", "LED control",
             [], {
                 "primary_color";
@@ -2150,40 +2150,40 @@ registry! {
             };
         /// Modem hard reset (0x0F,0x22).
         RtkModemHardReset(crate::rtk::ModemHardReset):
-            Command 0x0F, 0x22, of 1,
+            Command 0x22, of 1,
             "rtk.modem_hard_reset", "Modem hard reset",
             [], {};
         /// Get status flags response (0x0F,0x81).
         RtkGetStatusFlagsResponse(crate::rtk::GetStatusFlagsResponse):
-            Response 0x0F, 0x81, of 1,
+            Response 0x81, of 1,
             "rtk.get_status_flags_response", "Get status flags response",
             ["rtk.get_status_flags"], {
                 "flags";
             };
         /// Get IMEI response (0x0F,0x82).
         RtkGetImeiResponse(crate::rtk::GetImeiResponse):
-            Response 0x0F, 0x82, of 1,
+            Response 0x82, of 1,
             "rtk.get_imei_response", "Get IMEI response",
             ["rtk.get_imei"], {
                 "imei";
             };
         /// Get IMSI response (0x0F,0x83).
         RtkGetImsiResponse(crate::rtk::GetImsiResponse):
-            Response 0x0F, 0x83, of 1,
+            Response 0x83, of 1,
             "rtk.get_imsi_response", "Get IMSI response",
             ["rtk.get_imsi"], {
                 "imsi";
             };
         /// Get ICCID response (0x0F,0x84).
         RtkGetIccidResponse(crate::rtk::GetIccidResponse):
-            Response 0x0F, 0x84, of 1,
+            Response 0x84, of 1,
             "rtk.get_iccid_response", "Get ICCID response",
             ["rtk.get_iccid"], {
                 "iccid";
             };
         /// Get RSSI response (0x0F,0x85).
         RtkGetRssiResponse(crate::rtk::GetRssiResponse):
-            Response 0x0F, 0x85, of 1,
+            Response 0x85, of 1,
             "rtk.get_rssi_response", "Get RSSI response",
             ["rtk.get_rssi"], {
                 "valid";
@@ -2192,28 +2192,28 @@ registry! {
             };
         /// Connected device type response (0x0F,0x86).
         RtkConnectedDeviceTypeResponse(crate::rtk::ConnectedDeviceTypeResponse):
-            Response 0x0F, 0x86, of 1,
+            Response 0x86, of 1,
             "rtk.connected_device_type_response", "Connected device type response",
             ["rtk.connected_device_type"], {
                 "device_type";
             };
         /// Get activation code response (0x0F,0x87).
         RtkGetActivationCodeResponse(crate::rtk::GetActivationCodeResponse):
-            Response 0x0F, 0x87, of 1,
+            Response 0x87, of 1,
             "rtk.get_activation_code_response", "Get activation code response",
             ["rtk.get_activation_code"], {
                 "activation_code";
             };
         /// Get modem firmware version response (0x0F,0x88).
         RtkGetModemFirmwareVersionResponse(crate::rtk::GetModemFirmwareVersionResponse):
-            Response 0x0F, 0x88, of 1,
+            Response 0x88, of 1,
             "rtk.get_modem_firmware_version_response", "Get modem firmware version response",
             ["rtk.get_modem_firmware_version"], {
                 "modem_firmware_version";
             };
         /// Service status response (0x0F,0x8A).
         RtkServiceStatusResponse(crate::rtk::ServiceStatusResponse):
-            Response 0x0F, 0x8A, of 1,
+            Response 0x8A, of 1,
             "rtk.service_status_response", "Service status response",
             ["rtk.service_status"], {
                 "flags";
@@ -2223,10 +2223,10 @@ registry! {
             };
     }
     #[cfg(feature = "aiding")]
-    0x13..=0x13 {
+    0x13 => {
         /// Frame configuration (0x13,0x01).
         AidingFrameConfig(crate::aiding::FrameConfig):
-            Command 0x13, 0x01, of 1,
+            Command 0x01, of 1,
             "aiding.frame_config", "Frame configuration",
             ["aiding.frame_config_response"], {
                 "function";
@@ -2241,7 +2241,7 @@ registry! {
             };
         /// Echo control (0x13,0x1F).
         AidingEchoControl(crate::aiding::EchoControl):
-            Command 0x13, 0x1F, of 1,
+            Command 0x1F, of 1,
             "aiding.echo_control", "Echo control",
             ["aiding.echo_control_response"], {
                 "function";
@@ -2249,7 +2249,7 @@ registry! {
             };
         /// ECEF position (0x13,0x21).
         AidingEcefPosition(crate::aiding::EcefPosition):
-            Command 0x13, 0x21, of 1,
+            Command 0x21, of 1,
             "aiding.ecef_position", "ECEF position",
             [], {
                 "time" {
@@ -2264,7 +2264,7 @@ registry! {
             };
         /// LLH position (0x13,0x22).
         AidingLlhPosition(crate::aiding::LlhPosition):
-            Command 0x13, 0x22, of 1,
+            Command 0x22, of 1,
             "aiding.llh_position", "LLH position",
             [], {
                 "time" {
@@ -2281,7 +2281,7 @@ registry! {
             };
         /// Height above ellipsoid (0x13,0x23).
         AidingHeightAboveEllipsoid(crate::aiding::HeightAboveEllipsoid):
-            Command 0x13, 0x23, of 1,
+            Command 0x23, of 1,
             "aiding.height_above_ellipsoid", "Height above ellipsoid",
             [], {
                 "time" {
@@ -2296,7 +2296,7 @@ registry! {
             };
         /// ECEF velocity (0x13,0x28).
         AidingEcefVelocity(crate::aiding::EcefVelocity):
-            Command 0x13, 0x28, of 1,
+            Command 0x28, of 1,
             "aiding.ecef_velocity", "ECEF velocity",
             [], {
                 "time" {
@@ -2311,7 +2311,7 @@ registry! {
             };
         /// NED velocity (0x13,0x29).
         AidingNedVelocity(crate::aiding::NedVelocity):
-            Command 0x13, 0x29, of 1,
+            Command 0x29, of 1,
             "aiding.ned_velocity", "NED velocity",
             [], {
                 "time" {
@@ -2326,7 +2326,7 @@ registry! {
             };
         /// Body frame velocity (0x13,0x2A).
         AidingBodyFrameVelocity(crate::aiding::BodyFrameVelocity):
-            Command 0x13, 0x2A, of 1,
+            Command 0x2A, of 1,
             "aiding.body_frame_velocity", "Body frame velocity",
             [], {
                 "time" {
@@ -2341,7 +2341,7 @@ registry! {
             };
         /// True heading (0x13,0x31).
         AidingTrueHeading(crate::aiding::TrueHeading):
-            Command 0x13, 0x31, of 1,
+            Command 0x31, of 1,
             "aiding.true_heading", "True heading",
             [], {
                 "time" {
@@ -2356,7 +2356,7 @@ registry! {
             };
         /// Magnetic field (0x13,0x32).
         AidingMagneticField(crate::aiding::MagneticField):
-            Command 0x13, 0x32, of 1,
+            Command 0x32, of 1,
             "aiding.magnetic_field", "Magnetic field",
             [], {
                 "time" {
@@ -2371,7 +2371,7 @@ registry! {
             };
         /// Pressure (0x13,0x33).
         AidingPressure(crate::aiding::Pressure):
-            Command 0x13, 0x33, of 1,
+            Command 0x33, of 1,
             "aiding.pressure", "Pressure",
             [], {
                 "time" {
@@ -2386,7 +2386,7 @@ registry! {
             };
         /// Frame configuration response (0x13,0x81).
         AidingFrameConfigResponse(crate::aiding::FrameConfigResponse):
-            Response 0x13, 0x81, of 1,
+            Response 0x81, of 1,
             "aiding.frame_config_response", "Frame configuration response",
             ["aiding.frame_config"], {
                 "frame_id";
@@ -2400,17 +2400,17 @@ registry! {
             };
         /// Echo control response (0x13,0x9F).
         AidingEchoControlResponse(crate::aiding::EchoControlResponse):
-            Response 0x13, 0x9F, of 1,
+            Response 0x9F, of 1,
             "aiding.echo_control_response", "Echo control response",
             ["aiding.echo_control"], {
                 "mode";
             };
     }
     #[cfg(feature = "system")]
-    0x7F..=0x7F {
+    0x7F => {
         /// Interface control (0x7F,0x02).
         SystemInterfaceControl(crate::system::InterfaceControl):
-            Command 0x7F, 0x02, of 1,
+            Command 0x02, of 1,
             "system.interface_control", "Interface control",
             ["system.interface_control_response"], {
                 "function";
@@ -2420,7 +2420,7 @@ registry! {
             };
         /// Communication mode (0x7F,0x10).
         SystemCommMode(crate::system::CommMode):
-            Command 0x7F, 0x10, of 1,
+            Command 0x10, of 1,
             "system.comm_mode", "Communication mode",
             ["system.comm_mode_response"], {
                 "function";
@@ -2428,7 +2428,7 @@ registry! {
             };
         /// Interface control response (0x7F,0x82).
         SystemInterfaceControlResponse(crate::system::InterfaceControlResponse):
-            Response 0x7F, 0x82, of 1,
+            Response 0x82, of 1,
             "system.interface_control_response", "Interface control response",
             ["system.interface_control"], {
                 "port";
@@ -2437,94 +2437,94 @@ registry! {
             };
         /// Communication mode response (0x7F,0x90).
         SystemCommModeResponse(crate::system::CommModeResponse):
-            Response 0x7F, 0x90, of 1,
+            Response 0x90, of 1,
             "system.comm_mode_response", "Communication mode response",
             ["system.comm_mode"], {
                 "mode";
             };
     }
     #[cfg(feature = "sensor")]
-    0x80..=0x80 {
+    0x80 => {
         /// Raw accel (0x80,0x01).
         SensorRawAccel(crate::sensor::RawAccel):
-            Data 0x80, 0x01, of 1,
+            Data 0x01, of 1,
             "sensor.raw_accel", "Raw accel",
             [], {
                 "raw_accel": ["x" "y" "z"] in ["1"] of "sensor";
             };
         /// Raw gyro (0x80,0x02).
         SensorRawGyro(crate::sensor::RawGyro):
-            Data 0x80, 0x02, of 1,
+            Data 0x02, of 1,
             "sensor.raw_gyro", "Raw gyro",
             [], {
                 "raw_gyro": ["x" "y" "z"] in ["1"] of "sensor";
             };
         /// Raw mag (0x80,0x03).
         SensorRawMag(crate::sensor::RawMag):
-            Data 0x80, 0x03, of 1,
+            Data 0x03, of 1,
             "sensor.raw_mag", "Raw mag",
             [], {
                 "raw_mag": ["x" "y" "z"] in ["1"] of "vehicle";
             };
         /// Scaled accel (0x80,0x04).
         SensorScaledAccel(crate::sensor::ScaledAccel):
-            Data 0x80, 0x04, of 1,
+            Data 0x04, of 1,
             "sensor.scaled_accel", "Scaled accel",
             [], {
                 "scaled_accel": ["x" "y" "z"] in ["g"] of "vehicle";
             };
         /// Scaled gyro (0x80,0x05).
         SensorScaledGyro(crate::sensor::ScaledGyro):
-            Data 0x80, 0x05, of 1,
+            Data 0x05, of 1,
             "sensor.scaled_gyro", "Scaled gyro",
             [], {
                 "scaled_gyro": ["x" "y" "z"] in ["rad/s"] of "vehicle";
             };
         /// Scaled mag (0x80,0x06).
         SensorScaledMag(crate::sensor::ScaledMag):
-            Data 0x80, 0x06, of 1,
+            Data 0x06, of 1,
             "sensor.scaled_mag", "Scaled mag",
             [], {
                 "scaled_mag": ["x" "y" "z"] in ["gauss"] of "vehicle";
             };
         /// Delta theta (0x80,0x07).
         SensorDeltaTheta(crate::sensor::DeltaTheta):
-            Data 0x80, 0x07, of 1,
+            Data 0x07, of 1,
             "sensor.delta_theta", "Delta theta",
             [], {
                 "delta_theta": ["x" "y" "z"] in ["rad"] of "vehicle";
             };
         /// Delta velocity (0x80,0x08).
         SensorDeltaVelocity(crate::sensor::DeltaVelocity):
-            Data 0x80, 0x08, of 1,
+            Data 0x08, of 1,
             "sensor.delta_velocity", "Delta velocity",
             [], {
                 "delta_velocity": ["x" "y" "z"] in ["g*s"] of "vehicle";
             };
         /// Complementary filter orientation matrix (0x80,0x09).
         SensorCompOrientationMatrix(crate::sensor::CompOrientationMatrix):
-            Data 0x80, 0x09, of 1,
+            Data 0x09, of 1,
             "sensor.comp_orientation_matrix", "Complementary filter orientation matrix",
             [], {
                 "m": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "ned";
             };
         /// Complementary filter quaternion (0x80,0x0A).
         SensorCompQuaternion(crate::sensor::CompQuaternion):
-            Data 0x80, 0x0A, of 1,
+            Data 0x0A, of 1,
             "sensor.comp_quaternion", "Complementary filter quaternion",
             [], {
                 "q": ["w" "x" "y" "z"] in ["1"] of "ned";
             };
         /// Complementary filter orientation update matrix (0x80,0x0B).
         SensorCompOrientationUpdateMatrix(crate::sensor::CompOrientationUpdateMatrix):
-            Data 0x80, 0x0B, of 1,
+            Data 0x0B, of 1,
             "sensor.comp_orientation_update_matrix", "Complementary filter orientation update matrix",
             [], {
                 "m": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"];
             };
         /// Complementary filter Euler angles (0x80,0x0C).
         SensorCompEulerAngles(crate::sensor::CompEulerAngles):
-            Data 0x80, 0x0C, of 1,
+            Data 0x0C, of 1,
             "sensor.comp_euler_angles", "Complementary filter Euler angles",
             [], {
                 "roll" in ["rad"] of "ned";
@@ -2533,21 +2533,21 @@ registry! {
             };
         /// Orientation raw temperatures (0x80,0x0D).
         SensorOrientationRawTemperature(crate::sensor::OrientationRawTemperature):
-            Data 0x80, 0x0D, of 1,
+            Data 0x0D, of 1,
             "sensor.orientation_raw_temperature", "Orientation raw temperatures",
             [], {
                 "raw_temperature" in ["1"];
             };
         /// Internal timestamp (0x80,0x0E).
         SensorInternalTimestamp(crate::sensor::InternalTimestamp):
-            Data 0x80, 0x0E, of 1,
+            Data 0x0E, of 1,
             "sensor.internal_timestamp", "Internal timestamp",
             [], {
                 "counts" in ["1"];
             };
         /// PPS timestamp (0x80,0x0F).
         SensorPpsTimestamp(crate::sensor::PpsTimestamp):
-            Data 0x80, 0x0F, of 1,
+            Data 0x0F, of 1,
             "sensor.pps_timestamp", "PPS timestamp",
             [], {
                 "seconds" in ["s"];
@@ -2555,21 +2555,21 @@ registry! {
             };
         /// Complementary filter stabilized north vector (0x80,0x10).
         SensorNorthVector(crate::sensor::NorthVector):
-            Data 0x80, 0x10, of 1,
+            Data 0x10, of 1,
             "sensor.north_vector", "Complementary filter stabilized north vector",
             [], {
                 "stabilized_mag": ["x" "y" "z"] in ["gauss"] of "sensor";
             };
         /// Complementary filter stabilized up vector (0x80,0x11).
         SensorUpVector(crate::sensor::UpVector):
-            Data 0x80, 0x11, of 1,
+            Data 0x11, of 1,
             "sensor.up_vector", "Complementary filter stabilized up vector",
             [], {
                 "stabilized_accel": ["x" "y" "z"] in ["g"] of "sensor";
             };
         /// GPS timestamp (0x80,0x12).
         SensorGpsTimestamp(crate::sensor::GpsTimestamp):
-            Data 0x80, 0x12, of 1,
+            Data 0x12, of 1,
             "sensor.gps_timestamp", "GPS timestamp",
             [], {
                 "tow" in ["s"];
@@ -2578,7 +2578,7 @@ registry! {
             };
         /// Temperature statistics (0x80,0x14).
         SensorTemperatureStatistics(crate::sensor::TemperatureStatistics):
-            Data 0x80, 0x14, of 1,
+            Data 0x14, of 1,
             "sensor.temperature_statistics", "Temperature statistics",
             [], {
                 "min_temperature" in ["degC"];
@@ -2587,28 +2587,28 @@ registry! {
             };
         /// Raw pressure (0x80,0x16).
         SensorRawPressure(crate::sensor::RawPressure):
-            Data 0x80, 0x16, of 1,
+            Data 0x16, of 1,
             "sensor.raw_pressure", "Raw pressure",
             [], {
                 "raw_pressure" in ["1"];
             };
         /// Scaled pressure (0x80,0x17).
         SensorScaledPressure(crate::sensor::ScaledPressure):
-            Data 0x80, 0x17, of 1,
+            Data 0x17, of 1,
             "sensor.scaled_pressure", "Scaled pressure",
             [], {
                 "scaled_pressure" in ["mbar"];
             };
         /// Overrange status (0x80,0x18).
         SensorOverrangeStatus(crate::sensor::OverrangeStatus):
-            Data 0x80, 0x18, of 1,
+            Data 0x18, of 1,
             "sensor.overrange_status", "Overrange status",
             [], {
                 "status";
             };
         /// Odometer data (0x80,0x40).
         SensorOdometer(crate::sensor::Odometer):
-            Data 0x80, 0x40, of 1,
+            Data 0x40, of 1,
             "sensor.odometer", "Odometer data",
             [], {
                 "speed" in ["m/s"];
@@ -2617,11 +2617,19 @@ registry! {
             };
     }
     #[cfg(feature = "gnss_data")]
-    0x81..=0x81 {
-        /// GNSS LLH position (0x81,0x03).
+    0x81 | 0x91 | 0x92 | 0x93 | 0x94 | 0x95 => {
+        /// GNSS LLH position (0x03).
         GnssDataLlhPosition(crate::gnss_data::LlhPosition):
-            Data 0x81, 0x03, of 1,
+            Data 0x03, of 1,
             "gnss_data.llh_position", "GNSS LLH position",
+            {
+                0x81 "gnss_data.llh_position",
+                0x91 "gnss_1.llh_position",
+                0x92 "gnss_2.llh_position",
+                0x93 "gnss_corrections.llh_position",
+                0x94 "gnss_external.llh_position",
+                0x95 "gnss_external_2.llh_position",
+            }
             [], {
                 "latitude" in ["deg"] of "llh";
                 "longitude" in ["deg"] of "llh";
@@ -2631,19 +2639,35 @@ registry! {
                 "vertical_accuracy" in ["m"];
                 "valid_flags";
             };
-        /// GNSS ECEF position (0x81,0x04).
+        /// GNSS ECEF position (0x04).
         GnssDataEcefPosition(crate::gnss_data::EcefPosition):
-            Data 0x81, 0x04, of 1,
+            Data 0x04, of 1,
             "gnss_data.ecef_position", "GNSS ECEF position",
+            {
+                0x81 "gnss_data.ecef_position",
+                0x91 "gnss_1.ecef_position",
+                0x92 "gnss_2.ecef_position",
+                0x93 "gnss_corrections.ecef_position",
+                0x94 "gnss_external.ecef_position",
+                0x95 "gnss_external_2.ecef_position",
+            }
             [], {
                 "position": ["x" "y" "z"] in ["m"] of "ecef";
                 "position_accuracy" in ["m"];
                 "valid_flags";
             };
-        /// NED velocity (0x81,0x05).
+        /// NED velocity (0x05).
         GnssDataNedVelocity(crate::gnss_data::NedVelocity):
-            Data 0x81, 0x05, of 1,
+            Data 0x05, of 1,
             "gnss_data.ned_velocity", "NED velocity",
+            {
+                0x81 "gnss_data.ned_velocity",
+                0x91 "gnss_1.ned_velocity",
+                0x92 "gnss_2.ned_velocity",
+                0x93 "gnss_corrections.ned_velocity",
+                0x94 "gnss_external.ned_velocity",
+                0x95 "gnss_external_2.ned_velocity",
+            }
             [], {
                 "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
                 "speed" in ["m/s"];
@@ -2653,19 +2677,35 @@ registry! {
                 "heading_accuracy" in ["deg"];
                 "valid_flags";
             };
-        /// GNSS ECEF velocity (0x81,0x06).
+        /// GNSS ECEF velocity (0x06).
         GnssDataEcefVelocity(crate::gnss_data::EcefVelocity):
-            Data 0x81, 0x06, of 1,
+            Data 0x06, of 1,
             "gnss_data.ecef_velocity", "GNSS ECEF velocity",
+            {
+                0x81 "gnss_data.ecef_velocity",
+                0x91 "gnss_1.ecef_velocity",
+                0x92 "gnss_2.ecef_velocity",
+                0x93 "gnss_corrections.ecef_velocity",
+                0x94 "gnss_external.ecef_velocity",
+                0x95 "gnss_external_2.ecef_velocity",
+            }
             [], {
                 "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
                 "velocity_accuracy" in ["m/s"];
                 "valid_flags";
             };
-        /// DOP (0x81,0x07).
+        /// DOP (0x07).
         GnssDataDop(crate::gnss_data::Dop):
-            Data 0x81, 0x07, of 1,
+            Data 0x07, of 1,
             "gnss_data.dop", "DOP",
+            {
+                0x81 "gnss_data.dop",
+                0x91 "gnss_1.dop",
+                0x92 "gnss_2.dop",
+                0x93 "gnss_corrections.dop",
+                0x94 "gnss_external.dop",
+                0x95 "gnss_external_2.dop",
+            }
             [], {
                 "gdop" in ["1"];
                 "pdop" in ["1"];
@@ -2676,10 +2716,18 @@ registry! {
                 "edop" in ["1"];
                 "valid_flags";
             };
-        /// UTC time (0x81,0x08).
+        /// UTC time (0x08).
         GnssDataUtcTime(crate::gnss_data::UtcTime):
-            Data 0x81, 0x08, of 1,
+            Data 0x08, of 1,
             "gnss_data.utc_time", "UTC time",
+            {
+                0x81 "gnss_data.utc_time",
+                0x91 "gnss_1.utc_time",
+                0x92 "gnss_2.utc_time",
+                0x93 "gnss_corrections.utc_time",
+                0x94 "gnss_external.utc_time",
+                0x95 "gnss_external_2.utc_time",
+            }
             [], {
                 "year";
                 "month";
@@ -2690,39 +2738,71 @@ registry! {
                 "msec" in ["ms"];
                 "valid_flags";
             };
-        /// GPS time (0x81,0x09).
+        /// GPS time (0x09).
         GnssDataGpsTime(crate::gnss_data::GpsTime):
-            Data 0x81, 0x09, of 1,
+            Data 0x09, of 1,
             "gnss_data.gps_time", "GPS time",
+            {
+                0x81 "gnss_data.gps_time",
+                0x91 "gnss_1.gps_time",
+                0x92 "gnss_2.gps_time",
+                0x93 "gnss_corrections.gps_time",
+                0x94 "gnss_external.gps_time",
+                0x95 "gnss_external_2.gps_time",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
                 "valid_flags";
             };
-        /// Clock info (0x81,0x0A).
+        /// Clock info (0x0A).
         GnssDataClockInfo(crate::gnss_data::ClockInfo):
-            Data 0x81, 0x0A, of 1,
+            Data 0x0A, of 1,
             "gnss_data.clock_info", "Clock info",
+            {
+                0x81 "gnss_data.clock_info",
+                0x91 "gnss_1.clock_info",
+                0x92 "gnss_2.clock_info",
+                0x93 "gnss_corrections.clock_info",
+                0x94 "gnss_external.clock_info",
+                0x95 "gnss_external_2.clock_info",
+            }
             [], {
                 "bias" in ["s"];
                 "drift" in ["s/s"];
                 "accuracy_estimate" in ["s"];
                 "valid_flags";
             };
-        /// Fix info (0x81,0x0B).
+        /// Fix info (0x0B).
         GnssDataFixInfo(crate::gnss_data::FixInfo):
-            Data 0x81, 0x0B, of 1,
+            Data 0x0B, of 1,
             "gnss_data.fix_info", "Fix info",
+            {
+                0x81 "gnss_data.fix_info",
+                0x91 "gnss_1.fix_info",
+                0x92 "gnss_2.fix_info",
+                0x93 "gnss_corrections.fix_info",
+                0x94 "gnss_external.fix_info",
+                0x95 "gnss_external_2.fix_info",
+            }
             [], {
                 "fix_type";
                 "num_sv" in ["1"];
                 "fix_flags";
                 "valid_flags";
             };
-        /// Satellite info (0x81,0x0C).
+        /// Satellite info (0x0C).
         GnssDataSvInfo(crate::gnss_data::SvInfo):
-            Data 0x81, 0x0C, of 1,
+            Data 0x0C, of 1,
             "gnss_data.sv_info", "Satellite info",
+            {
+                0x81 "gnss_data.sv_info",
+                0x91 "gnss_1.sv_info",
+                0x92 "gnss_2.sv_info",
+                0x93 "gnss_corrections.sv_info",
+                0x94 "gnss_external.sv_info",
+                0x95 "gnss_external_2.sv_info",
+            }
             [], {
                 "channel";
                 "satellite_id";
@@ -2732,20 +2812,36 @@ registry! {
                 "sv_flags";
                 "valid_flags";
             };
-        /// GNSS hardware status (0x81,0x0D).
+        /// GNSS hardware status (0x0D).
         GnssDataHardwareStatus(crate::gnss_data::HardwareStatus):
-            Data 0x81, 0x0D, of 1,
+            Data 0x0D, of 1,
             "gnss_data.hardware_status", "GNSS hardware status",
+            {
+                0x81 "gnss_data.hardware_status",
+                0x91 "gnss_1.hardware_status",
+                0x92 "gnss_2.hardware_status",
+                0x93 "gnss_corrections.hardware_status",
+                0x94 "gnss_external.hardware_status",
+                0x95 "gnss_external_2.hardware_status",
+            }
             [], {
                 "receiver_state";
                 "antenna_state";
                 "antenna_power";
                 "valid_flags";
             };
-        /// DGPS info (0x81,0x0E).
+        /// DGPS info (0x0E).
         GnssDataDgpsInfo(crate::gnss_data::DgpsInfo):
-            Data 0x81, 0x0E, of 1,
+            Data 0x0E, of 1,
             "gnss_data.dgps_info", "DGPS info",
+            {
+                0x81 "gnss_data.dgps_info",
+                0x91 "gnss_1.dgps_info",
+                0x92 "gnss_2.dgps_info",
+                0x93 "gnss_corrections.dgps_info",
+                0x94 "gnss_external.dgps_info",
+                0x95 "gnss_external_2.dgps_info",
+            }
             [], {
                 "age" in ["s"];
                 "base_station_id";
@@ -2753,10 +2849,18 @@ registry! {
                 "num_channels" in ["1"];
                 "valid_flags";
             };
-        /// DGPS channel (0x81,0x0F).
+        /// DGPS channel (0x0F).
         GnssDataDgpsChannel(crate::gnss_data::DgpsChannel):
-            Data 0x81, 0x0F, of 1,
+            Data 0x0F, of 1,
             "gnss_data.dgps_channel", "DGPS channel",
+            {
+                0x81 "gnss_data.dgps_channel",
+                0x91 "gnss_1.dgps_channel",
+                0x92 "gnss_2.dgps_channel",
+                0x93 "gnss_corrections.dgps_channel",
+                0x94 "gnss_external.dgps_channel",
+                0x95 "gnss_external_2.dgps_channel",
+            }
             [], {
                 "satellite_id";
                 "age" in ["s"];
@@ -2764,10 +2868,18 @@ registry! {
                 "range_rate_correction" in ["m/s"];
                 "valid_flags";
             };
-        /// Clock info 2 (0x81,0x10).
+        /// Clock info 2 (0x10).
         GnssDataClockInfo2(crate::gnss_data::ClockInfo2):
-            Data 0x81, 0x10, of 1,
+            Data 0x10, of 1,
             "gnss_data.clock_info_2", "Clock info 2",
+            {
+                0x81 "gnss_data.clock_info_2",
+                0x91 "gnss_1.clock_info_2",
+                0x92 "gnss_2.clock_info_2",
+                0x93 "gnss_corrections.clock_info_2",
+                0x94 "gnss_external.clock_info_2",
+                0x95 "gnss_external_2.clock_info_2",
+            }
             [], {
                 "bias" in ["s"];
                 "drift" in ["s/s"];
@@ -2775,18 +2887,34 @@ registry! {
                 "drift_accuracy_estimate" in ["s/s"];
                 "valid_flags";
             };
-        /// GPS leap seconds (0x81,0x11).
+        /// GPS leap seconds (0x11).
         GnssDataGpsLeapSeconds(crate::gnss_data::GpsLeapSeconds):
-            Data 0x81, 0x11, of 1,
+            Data 0x11, of 1,
             "gnss_data.gps_leap_seconds", "GPS leap seconds",
+            {
+                0x81 "gnss_data.gps_leap_seconds",
+                0x91 "gnss_1.gps_leap_seconds",
+                0x92 "gnss_2.gps_leap_seconds",
+                0x93 "gnss_corrections.gps_leap_seconds",
+                0x94 "gnss_external.gps_leap_seconds",
+                0x95 "gnss_external_2.gps_leap_seconds",
+            }
             [], {
                 "leap_seconds" in ["s"];
                 "valid_flags";
             };
-        /// SBAS info (0x81,0x12).
+        /// SBAS info (0x12).
         GnssDataSbasInfo(crate::gnss_data::SbasInfo):
-            Data 0x81, 0x12, of 1,
+            Data 0x12, of 1,
             "gnss_data.sbas_info", "SBAS info",
+            {
+                0x81 "gnss_data.sbas_info",
+                0x91 "gnss_1.sbas_info",
+                0x92 "gnss_2.sbas_info",
+                0x93 "gnss_corrections.sbas_info",
+                0x94 "gnss_external.sbas_info",
+                0x95 "gnss_external_2.sbas_info",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -2796,10 +2924,18 @@ registry! {
                 "sbas_status";
                 "valid_flags";
             };
-        /// SBAS correction (0x81,0x13).
+        /// SBAS correction (0x13).
         GnssDataSbasCorrection(crate::gnss_data::SbasCorrection):
-            Data 0x81, 0x13, of 1,
+            Data 0x13, of 1,
             "gnss_data.sbas_correction", "SBAS correction",
+            {
+                0x81 "gnss_data.sbas_correction",
+                0x91 "gnss_1.sbas_correction",
+                0x92 "gnss_2.sbas_correction",
+                0x93 "gnss_corrections.sbas_correction",
+                0x94 "gnss_external.sbas_correction",
+                0x95 "gnss_external_2.sbas_correction",
+            }
             [], {
                 "index";
                 "count";
@@ -2812,10 +2948,18 @@ registry! {
                 "iono_correction" in ["m"];
                 "valid_flags";
             };
-        /// RF error detection (0x81,0x14).
+        /// RF error detection (0x14).
         GnssDataRfErrorDetection(crate::gnss_data::RfErrorDetection):
-            Data 0x81, 0x14, of 1,
+            Data 0x14, of 1,
             "gnss_data.rf_error_detection", "RF error detection",
+            {
+                0x81 "gnss_data.rf_error_detection",
+                0x91 "gnss_1.rf_error_detection",
+                0x92 "gnss_2.rf_error_detection",
+                0x93 "gnss_corrections.rf_error_detection",
+                0x94 "gnss_external.rf_error_detection",
+                0x95 "gnss_external_2.rf_error_detection",
+            }
             [], {
                 "rf_band";
                 "jamming_state";
@@ -2823,10 +2967,18 @@ registry! {
                 "reserved";
                 "valid_flags";
             };
-        /// Satellite status (0x81,0x20).
+        /// Satellite status (0x20).
         GnssDataSatelliteStatus(crate::gnss_data::SatelliteStatus):
-            Data 0x81, 0x20, of 1,
+            Data 0x20, of 1,
             "gnss_data.satellite_status", "Satellite status",
+            {
+                0x81 "gnss_data.satellite_status",
+                0x91 "gnss_1.satellite_status",
+                0x92 "gnss_2.satellite_status",
+                0x93 "gnss_corrections.satellite_status",
+                0x94 "gnss_external.satellite_status",
+                0x95 "gnss_external_2.satellite_status",
+            }
             [], {
                 "index";
                 "count";
@@ -2839,10 +2991,18 @@ registry! {
                 "health";
                 "valid_flags";
             };
-        /// Raw (0x81,0x22).
+        /// Raw (0x22).
         GnssDataRaw(crate::gnss_data::Raw):
-            Data 0x81, 0x22, of 1,
+            Data 0x22, of 1,
             "gnss_data.raw", "Raw",
+            {
+                0x81 "gnss_data.raw",
+                0x91 "gnss_1.raw",
+                0x92 "gnss_2.raw",
+                0x93 "gnss_corrections.raw",
+                0x94 "gnss_external.raw",
+                0x95 "gnss_external_2.raw",
+            }
             [], {
                 "index";
                 "count";
@@ -2864,10 +3024,18 @@ registry! {
                 "lock_time" in ["s"];
                 "valid_flags";
             };
-        /// Base station info (0x81,0x30).
+        /// Base station info (0x30).
         GnssDataBaseStationInfo(crate::gnss_data::BaseStationInfo):
-            Data 0x81, 0x30, of 1,
+            Data 0x30, of 1,
             "gnss_data.base_station_info", "Base station info",
+            {
+                0x81 "gnss_data.base_station_info",
+                0x91 "gnss_1.base_station_info",
+                0x92 "gnss_2.base_station_info",
+                0x93 "gnss_corrections.base_station_info",
+                0x94 "gnss_external.base_station_info",
+                0x95 "gnss_external_2.base_station_info",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -2877,10 +3045,18 @@ registry! {
                 "indicators";
                 "valid_flags";
             };
-        /// RTK corrections status (0x81,0x31).
+        /// RTK corrections status (0x31).
         GnssDataRtkCorrectionsStatus(crate::gnss_data::RtkCorrectionsStatus):
-            Data 0x81, 0x31, of 1,
+            Data 0x31, of 1,
             "gnss_data.rtk_corrections_status", "RTK corrections status",
+            {
+                0x81 "gnss_data.rtk_corrections_status",
+                0x91 "gnss_1.rtk_corrections_status",
+                0x92 "gnss_2.rtk_corrections_status",
+                0x93 "gnss_corrections.rtk_corrections_status",
+                0x94 "gnss_external.rtk_corrections_status",
+                0x95 "gnss_external_2.rtk_corrections_status",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -2893,10 +3069,18 @@ registry! {
                 "reserved";
                 "valid_flags";
             };
-        /// GPS ephemeris (0x81,0x61).
+        /// GPS ephemeris (0x61).
         GnssDataGpsEphemeris(crate::gnss_data::GpsEphemeris):
-            Data 0x81, 0x61, of 1,
+            Data 0x61, of 1,
             "gnss_data.gps_ephemeris", "GPS ephemeris",
+            {
+                0x81 "gnss_data.gps_ephemeris",
+                0x91 "gnss_1.gps_ephemeris",
+                0x92 "gnss_2.gps_ephemeris",
+                0x93 "gnss_corrections.gps_ephemeris",
+                0x94 "gnss_external.gps_ephemeris",
+                0x95 "gnss_external_2.gps_ephemeris",
+            }
             [], {
                 "index";
                 "count";
@@ -2933,10 +3117,18 @@ registry! {
                 "c_rs" in ["m"];
                 "valid_flags";
             };
-        /// GLONASS ephemeris (0x81,0x62).
+        /// GLONASS ephemeris (0x62).
         GnssDataGlonassEphemeris(crate::gnss_data::GlonassEphemeris):
-            Data 0x81, 0x62, of 1,
+            Data 0x62, of 1,
             "gnss_data.glonass_ephemeris", "GLONASS ephemeris",
+            {
+                0x81 "gnss_data.glonass_ephemeris",
+                0x91 "gnss_1.glonass_ephemeris",
+                0x92 "gnss_2.glonass_ephemeris",
+                0x93 "gnss_corrections.glonass_ephemeris",
+                0x94 "gnss_external.glonass_ephemeris",
+                0x95 "gnss_external_2.glonass_ephemeris",
+            }
             [], {
                 "index";
                 "count";
@@ -2964,10 +3156,18 @@ registry! {
                 "p4";
                 "valid_flags";
             };
-        /// Galileo ephemeris (0x81,0x63).
+        /// Galileo ephemeris (0x63).
         GnssDataGalileoEphemeris(crate::gnss_data::GalileoEphemeris):
-            Data 0x81, 0x63, of 1,
+            Data 0x63, of 1,
             "gnss_data.galileo_ephemeris", "Galileo ephemeris",
+            {
+                0x81 "gnss_data.galileo_ephemeris",
+                0x91 "gnss_1.galileo_ephemeris",
+                0x92 "gnss_2.galileo_ephemeris",
+                0x93 "gnss_corrections.galileo_ephemeris",
+                0x94 "gnss_external.galileo_ephemeris",
+                0x95 "gnss_external_2.galileo_ephemeris",
+            }
             [], {
                 "index";
                 "count";
@@ -3004,10 +3204,18 @@ registry! {
                 "c_rs" in ["m"];
                 "valid_flags";
             };
-        /// BeiDou ephemeris (0x81,0x64).
+        /// BeiDou ephemeris (0x64).
         GnssDataBeidouEphemeris(crate::gnss_data::BeidouEphemeris):
-            Data 0x81, 0x64, of 1,
+            Data 0x64, of 1,
             "gnss_data.beidou_ephemeris", "BeiDou ephemeris",
+            {
+                0x81 "gnss_data.beidou_ephemeris",
+                0x91 "gnss_1.beidou_ephemeris",
+                0x92 "gnss_2.beidou_ephemeris",
+                0x93 "gnss_corrections.beidou_ephemeris",
+                0x94 "gnss_external.beidou_ephemeris",
+                0x95 "gnss_external_2.beidou_ephemeris",
+            }
             [], {
                 "index";
                 "count";
@@ -3044,10 +3252,18 @@ registry! {
                 "c_rs" in ["m"];
                 "valid_flags";
             };
-        /// GPS ionospheric correction (0x81,0x71).
+        /// GPS ionospheric correction (0x71).
         GnssDataGpsIonoCorrection(crate::gnss_data::GpsIonoCorrection):
-            Data 0x81, 0x71, of 1,
+            Data 0x71, of 1,
             "gnss_data.gps_iono_correction", "GPS ionospheric correction",
+            {
+                0x81 "gnss_data.gps_iono_correction",
+                0x91 "gnss_1.gps_iono_correction",
+                0x92 "gnss_2.gps_iono_correction",
+                0x93 "gnss_corrections.gps_iono_correction",
+                0x94 "gnss_external.gps_iono_correction",
+                0x95 "gnss_external_2.gps_iono_correction",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -3055,10 +3271,18 @@ registry! {
                 "beta";
                 "valid_flags";
             };
-        /// Galileo ionospheric correction (0x81,0x73).
+        /// Galileo ionospheric correction (0x73).
         GnssDataGalileoIonoCorrection(crate::gnss_data::GalileoIonoCorrection):
-            Data 0x81, 0x73, of 1,
+            Data 0x73, of 1,
             "gnss_data.galileo_iono_correction", "Galileo ionospheric correction",
+            {
+                0x81 "gnss_data.galileo_iono_correction",
+                0x91 "gnss_1.galileo_iono_correction",
+                0x92 "gnss_2.galileo_iono_correction",
+                0x93 "gnss_corrections.galileo_iono_correction",
+                0x94 "gnss_external.galileo_iono_correction",
+                0x95 "gnss_external_2.galileo_iono_correction",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -3066,10 +3290,18 @@ registry! {
                 "disturbance_flags";
                 "valid_flags";
             };
-        /// BeiDou ionospheric correction (0x81,0x74).
+        /// BeiDou ionospheric correction (0x74).
         GnssDataBeidouIonoCorrection(crate::gnss_data::BeidouIonoCorrection):
-            Data 0x81, 0x74, of 1,
+            Data 0x74, of 1,
             "gnss_data.beidou_iono_correction", "BeiDou ionospheric correction",
+            {
+                0x81 "gnss_data.beidou_iono_correction",
+                0x91 "gnss_1.beidou_iono_correction",
+                0x92 "gnss_2.beidou_iono_correction",
+                0x93 "gnss_corrections.beidou_iono_correction",
+                0x94 "gnss_external.beidou_iono_correction",
+                0x95 "gnss_external_2.beidou_iono_correction",
+            }
             [], {
                 "tow" in ["s"];
                 "week_number" in ["week"];
@@ -3080,10 +3312,10 @@ registry! {
             };
     }
     #[cfg(feature = "filter_data")]
-    0x82..=0x82 {
+    0x82 => {
         /// LLH position (0x82,0x01).
         FilterDataLlhPosition(crate::filter_data::LlhPosition):
-            Data 0x82, 0x01, of 1,
+            Data 0x01, of 1,
             "filter_data.llh_position", "LLH position",
             [], {
                 "latitude" in ["deg"] of "llh";
@@ -3093,7 +3325,7 @@ registry! {
             };
         /// NED velocity (0x82,0x02).
         FilterDataNedVelocity(crate::filter_data::NedVelocity):
-            Data 0x82, 0x02, of 1,
+            Data 0x02, of 1,
             "filter_data.ned_velocity", "NED velocity",
             [], {
                 "north" in ["m/s"] of "ned";
@@ -3103,7 +3335,7 @@ registry! {
             };
         /// Attitude quaternion (0x82,0x03).
         FilterDataAttitudeQuaternion(crate::filter_data::AttitudeQuaternion):
-            Data 0x82, 0x03, of 1,
+            Data 0x03, of 1,
             "filter_data.attitude_quaternion", "Attitude quaternion",
             [], {
                 "q": ["w" "x" "y" "z"] in ["1"] of "ned";
@@ -3111,7 +3343,7 @@ registry! {
             };
         /// Attitude direction cosine matrix (0x82,0x04).
         FilterDataAttitudeDcm(crate::filter_data::AttitudeDcm):
-            Data 0x82, 0x04, of 1,
+            Data 0x04, of 1,
             "filter_data.attitude_dcm", "Attitude direction cosine matrix",
             [], {
                 "dcm": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "ned";
@@ -3119,7 +3351,7 @@ registry! {
             };
         /// Euler angles (0x82,0x05).
         FilterDataEulerAngles(crate::filter_data::EulerAngles):
-            Data 0x82, 0x05, of 1,
+            Data 0x05, of 1,
             "filter_data.euler_angles", "Euler angles",
             [], {
                 "roll" in ["rad"] of "ned";
@@ -3129,7 +3361,7 @@ registry! {
             };
         /// Gyroscope bias (0x82,0x06).
         FilterDataGyroBias(crate::filter_data::GyroBias):
-            Data 0x82, 0x06, of 1,
+            Data 0x06, of 1,
             "filter_data.gyro_bias", "Gyroscope bias",
             [], {
                 "bias": ["x" "y" "z"] in ["rad/s"] of "sensor";
@@ -3137,7 +3369,7 @@ registry! {
             };
         /// Accelerometer bias (0x82,0x07).
         FilterDataAccelBias(crate::filter_data::AccelBias):
-            Data 0x82, 0x07, of 1,
+            Data 0x07, of 1,
             "filter_data.accel_bias", "Accelerometer bias",
             [], {
                 "bias": ["x" "y" "z"] in ["m/s^2"] of "sensor";
@@ -3145,7 +3377,7 @@ registry! {
             };
         /// Position uncertainty (0x82,0x08).
         FilterDataLlhPositionUncertainty(crate::filter_data::LlhPositionUncertainty):
-            Data 0x82, 0x08, of 1,
+            Data 0x08, of 1,
             "filter_data.llh_position_uncertainty", "Position uncertainty",
             [], {
                 "north" in ["m"] of "ned";
@@ -3155,7 +3387,7 @@ registry! {
             };
         /// NED velocity uncertainty (0x82,0x09).
         FilterDataNedVelocityUncertainty(crate::filter_data::NedVelocityUncertainty):
-            Data 0x82, 0x09, of 1,
+            Data 0x09, of 1,
             "filter_data.ned_velocity_uncertainty", "NED velocity uncertainty",
             [], {
                 "north" in ["m/s"] of "ned";
@@ -3165,7 +3397,7 @@ registry! {
             };
         /// Euler angles uncertainty (0x82,0x0A).
         FilterDataEulerAnglesUncertainty(crate::filter_data::EulerAnglesUncertainty):
-            Data 0x82, 0x0A, of 1,
+            Data 0x0A, of 1,
             "filter_data.euler_angles_uncertainty", "Euler angles uncertainty",
             [], {
                 "roll" in ["rad"];
@@ -3175,7 +3407,7 @@ registry! {
             };
         /// Gyroscope bias uncertainty (0x82,0x0B).
         FilterDataGyroBiasUncertainty(crate::filter_data::GyroBiasUncertainty):
-            Data 0x82, 0x0B, of 1,
+            Data 0x0B, of 1,
             "filter_data.gyro_bias_uncertainty", "Gyroscope bias uncertainty",
             [], {
                 "bias_uncertainty": ["x" "y" "z"] in ["rad/s"] of "sensor";
@@ -3183,7 +3415,7 @@ registry! {
             };
         /// Accelerometer bias uncertainty (0x82,0x0C).
         FilterDataAccelBiasUncertainty(crate::filter_data::AccelBiasUncertainty):
-            Data 0x82, 0x0C, of 1,
+            Data 0x0C, of 1,
             "filter_data.accel_bias_uncertainty", "Accelerometer bias uncertainty",
             [], {
                 "bias_uncertainty": ["x" "y" "z"] in ["m/s^2"] of "sensor";
@@ -3191,7 +3423,7 @@ registry! {
             };
         /// Linear acceleration (0x82,0x0D).
         FilterDataLinearAccel(crate::filter_data::LinearAccel):
-            Data 0x82, 0x0D, of 1,
+            Data 0x0D, of 1,
             "filter_data.linear_accel", "Linear acceleration",
             [], {
                 "accel": ["x" "y" "z"] in ["m/s^2"] of "vehicle";
@@ -3199,7 +3431,7 @@ registry! {
             };
         /// Compensated angular rate (0x82,0x0E).
         FilterDataCompAngularRate(crate::filter_data::CompAngularRate):
-            Data 0x82, 0x0E, of 1,
+            Data 0x0E, of 1,
             "filter_data.comp_angular_rate", "Compensated angular rate",
             [], {
                 "gyro": ["x" "y" "z"] in ["rad/s"] of "vehicle";
@@ -3207,7 +3439,7 @@ registry! {
             };
         /// WGS84 local gravity magnitude (0x82,0x0F).
         FilterDataWgs84GravityMagnitude(crate::filter_data::Wgs84GravityMagnitude):
-            Data 0x82, 0x0F, of 1,
+            Data 0x0F, of 1,
             "filter_data.wgs84_gravity_magnitude", "WGS84 local gravity magnitude",
             [], {
                 "gravity_magnitude" in ["m/s^2"];
@@ -3215,7 +3447,7 @@ registry! {
             };
         /// Filter status (0x82,0x10).
         FilterDataStatus(crate::filter_data::Status):
-            Data 0x82, 0x10, of 1,
+            Data 0x10, of 1,
             "filter_data.status", "Filter status",
             [], {
                 "filter_state";
@@ -3224,7 +3456,7 @@ registry! {
             };
         /// Filter timestamp (0x82,0x11).
         FilterDataTimestamp(crate::filter_data::Timestamp):
-            Data 0x82, 0x11, of 1,
+            Data 0x11, of 1,
             "filter_data.timestamp", "Filter timestamp",
             [], {
                 "tow" in ["s"];
@@ -3233,7 +3465,7 @@ registry! {
             };
         /// Quaternion uncertainty (0x82,0x12).
         FilterDataQuaternionAttitudeUncertainty(crate::filter_data::QuaternionAttitudeUncertainty):
-            Data 0x82, 0x12, of 1,
+            Data 0x12, of 1,
             "filter_data.quaternion_attitude_uncertainty", "Quaternion uncertainty",
             [], {
                 "q": ["w" "x" "y" "z"] in ["1"];
@@ -3241,7 +3473,7 @@ registry! {
             };
         /// Gravity vector (0x82,0x13).
         FilterDataGravityVector(crate::filter_data::GravityVector):
-            Data 0x82, 0x13, of 1,
+            Data 0x13, of 1,
             "filter_data.gravity_vector", "Gravity vector",
             [], {
                 "gravity": ["x" "y" "z"] in ["m/s^2"] of "vehicle";
@@ -3249,7 +3481,7 @@ registry! {
             };
         /// Heading update source state (0x82,0x14).
         FilterDataHeadingUpdateState(crate::filter_data::HeadingUpdateState):
-            Data 0x82, 0x14, of 1,
+            Data 0x14, of 1,
             "filter_data.heading_update_state", "Heading update source state",
             [], {
                 "heading" in ["rad"];
@@ -3259,7 +3491,7 @@ registry! {
             };
         /// Magnetic model (0x82,0x15).
         FilterDataMagneticModel(crate::filter_data::MagneticModel):
-            Data 0x82, 0x15, of 1,
+            Data 0x15, of 1,
             "filter_data.magnetic_model", "Magnetic model",
             [], {
                 "intensity_north" in ["gauss"] of "ned";
@@ -3271,7 +3503,7 @@ registry! {
             };
         /// Gyroscope scale factor (0x82,0x16).
         FilterDataGyroScaleFactor(crate::filter_data::GyroScaleFactor):
-            Data 0x82, 0x16, of 1,
+            Data 0x16, of 1,
             "filter_data.gyro_scale_factor", "Gyroscope scale factor",
             [], {
                 "scale_factor": ["x" "y" "z"] in ["1"] of "sensor";
@@ -3279,7 +3511,7 @@ registry! {
             };
         /// Accelerometer scale factor (0x82,0x17).
         FilterDataAccelScaleFactor(crate::filter_data::AccelScaleFactor):
-            Data 0x82, 0x17, of 1,
+            Data 0x17, of 1,
             "filter_data.accel_scale_factor", "Accelerometer scale factor",
             [], {
                 "scale_factor": ["x" "y" "z"] in ["1"] of "sensor";
@@ -3287,7 +3519,7 @@ registry! {
             };
         /// Gyroscope scale factor uncertainty (0x82,0x18).
         FilterDataGyroScaleFactorUncertainty(crate::filter_data::GyroScaleFactorUncertainty):
-            Data 0x82, 0x18, of 1,
+            Data 0x18, of 1,
             "filter_data.gyro_scale_factor_uncertainty", "Gyroscope scale factor uncertainty",
             [], {
                 "scale_factor_uncertainty": ["x" "y" "z"] in ["1"] of "sensor";
@@ -3295,7 +3527,7 @@ registry! {
             };
         /// Accelerometer scale factor uncertainty (0x82,0x19).
         FilterDataAccelScaleFactorUncertainty(crate::filter_data::AccelScaleFactorUncertainty):
-            Data 0x82, 0x19, of 1,
+            Data 0x19, of 1,
             "filter_data.accel_scale_factor_uncertainty", "Accelerometer scale factor uncertainty",
             [], {
                 "scale_factor_uncertainty": ["x" "y" "z"] in ["1"] of "sensor";
@@ -3303,7 +3535,7 @@ registry! {
             };
         /// Magnetometer bias (0x82,0x1A).
         FilterDataMagBias(crate::filter_data::MagBias):
-            Data 0x82, 0x1A, of 1,
+            Data 0x1A, of 1,
             "filter_data.mag_bias", "Magnetometer bias",
             [], {
                 "bias": ["x" "y" "z"] in ["gauss"] of "sensor";
@@ -3311,7 +3543,7 @@ registry! {
             };
         /// Magnetometer bias uncertainty (0x82,0x1B).
         FilterDataMagBiasUncertainty(crate::filter_data::MagBiasUncertainty):
-            Data 0x82, 0x1B, of 1,
+            Data 0x1B, of 1,
             "filter_data.mag_bias_uncertainty", "Magnetometer bias uncertainty",
             [], {
                 "bias_uncertainty": ["x" "y" "z"] in ["gauss"] of "sensor";
@@ -3319,7 +3551,7 @@ registry! {
             };
         /// Compensated acceleration (0x82,0x1C).
         FilterDataCompAccel(crate::filter_data::CompAccel):
-            Data 0x82, 0x1C, of 1,
+            Data 0x1C, of 1,
             "filter_data.comp_accel", "Compensated acceleration",
             [], {
                 "accel": ["x" "y" "z"] in ["m/s^2"] of "vehicle";
@@ -3327,7 +3559,7 @@ registry! {
             };
         /// Standard atmosphere (0x82,0x20).
         FilterDataStandardAtmosphere(crate::filter_data::StandardAtmosphere):
-            Data 0x82, 0x20, of 1,
+            Data 0x20, of 1,
             "filter_data.standard_atmosphere", "Standard atmosphere",
             [], {
                 "geometric_altitude" in ["m"];
@@ -3339,7 +3571,7 @@ registry! {
             };
         /// Pressure altitude (0x82,0x21).
         FilterDataPressureAltitude(crate::filter_data::PressureAltitude):
-            Data 0x82, 0x21, of 1,
+            Data 0x21, of 1,
             "filter_data.pressure_altitude", "Pressure altitude",
             [], {
                 "pressure_altitude" in ["m"];
@@ -3347,7 +3579,7 @@ registry! {
             };
         /// Density altitude (0x82,0x22).
         FilterDataDensityAltitude(crate::filter_data::DensityAltitude):
-            Data 0x82, 0x22, of 1,
+            Data 0x22, of 1,
             "filter_data.density_altitude", "Density altitude",
             [], {
                 "density_altitude" in ["m"];
@@ -3355,7 +3587,7 @@ registry! {
             };
         /// Magnetometer offset (0x82,0x25).
         FilterDataMagOffset(crate::filter_data::MagOffset):
-            Data 0x82, 0x25, of 1,
+            Data 0x25, of 1,
             "filter_data.mag_offset", "Magnetometer offset",
             [], {
                 "hard_iron": ["x" "y" "z"] in ["gauss"] of "sensor";
@@ -3363,7 +3595,7 @@ registry! {
             };
         /// Magnetometer matrix (0x82,0x26).
         FilterDataMagMatrix(crate::filter_data::MagMatrix):
-            Data 0x82, 0x26, of 1,
+            Data 0x26, of 1,
             "filter_data.mag_matrix", "Magnetometer matrix",
             [], {
                 "soft_iron": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "sensor";
@@ -3371,7 +3603,7 @@ registry! {
             };
         /// Magnetometer offset uncertainty (0x82,0x28).
         FilterDataMagOffsetUncertainty(crate::filter_data::MagOffsetUncertainty):
-            Data 0x82, 0x28, of 1,
+            Data 0x28, of 1,
             "filter_data.mag_offset_uncertainty", "Magnetometer offset uncertainty",
             [], {
                 "hard_iron_uncertainty": ["x" "y" "z"] in ["gauss"] of "sensor";
@@ -3379,7 +3611,7 @@ registry! {
             };
         /// Magnetometer matrix uncertainty (0x82,0x29).
         FilterDataMagMatrixUncertainty(crate::filter_data::MagMatrixUncertainty):
-            Data 0x82, 0x29, of 1,
+            Data 0x29, of 1,
             "filter_data.mag_matrix_uncertainty", "Magnetometer matrix uncertainty",
             [], {
                 "soft_iron_uncertainty": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"] in ["1"] of "sensor";
@@ -3387,7 +3619,7 @@ registry! {
             };
         /// Magnetometer covariance matrix (0x82,0x2A).
         FilterDataMagCovarianceMatrix(crate::filter_data::MagCovarianceMatrix):
-            Data 0x82, 0x2A, of 1,
+            Data 0x2A, of 1,
             "filter_data.mag_covariance_matrix", "Magnetometer covariance matrix",
             [], {
                 "covariance": ["m11" "m12" "m13" "m21" "m22" "m23" "m31" "m32" "m33"];
@@ -3395,7 +3627,7 @@ registry! {
             };
         /// Magnetometer residual vector (0x82,0x2C).
         FilterDataMagResidualVector(crate::filter_data::MagResidualVector):
-            Data 0x82, 0x2C, of 1,
+            Data 0x2C, of 1,
             "filter_data.mag_residual_vector", "Magnetometer residual vector",
             [], {
                 "residual": ["x" "y" "z"] in ["gauss"] of "vehicle";
@@ -3403,7 +3635,7 @@ registry! {
             };
         /// Antenna offset correction (0x82,0x30).
         FilterDataAntennaOffsetCorrection(crate::filter_data::AntennaOffsetCorrection):
-            Data 0x82, 0x30, of 1,
+            Data 0x30, of 1,
             "filter_data.antenna_offset_correction", "Antenna offset correction",
             [], {
                 "offset": ["x" "y" "z"] in ["m"] of "vehicle";
@@ -3411,7 +3643,7 @@ registry! {
             };
         /// Antenna offset correction uncertainty (0x82,0x31).
         FilterDataAntennaOffsetCorrectionUncertainty(crate::filter_data::AntennaOffsetCorrectionUncertainty):
-            Data 0x82, 0x31, of 1,
+            Data 0x31, of 1,
             "filter_data.antenna_offset_correction_uncertainty", "Antenna offset correction uncertainty",
             [], {
                 "offset_uncertainty": ["x" "y" "z"] in ["m"] of "vehicle";
@@ -3419,7 +3651,7 @@ registry! {
             };
         /// Clock correction (0x82,0x32).
         FilterDataClockCorrection(crate::filter_data::ClockCorrection):
-            Data 0x82, 0x32, of 1,
+            Data 0x32, of 1,
             "filter_data.clock_correction", "Clock correction",
             [], {
                 "receiver_id";
@@ -3429,7 +3661,7 @@ registry! {
             };
         /// Clock correction uncertainty (0x82,0x33).
         FilterDataClockCorrectionUncertainty(crate::filter_data::ClockCorrectionUncertainty):
-            Data 0x82, 0x33, of 1,
+            Data 0x33, of 1,
             "filter_data.clock_correction_uncertainty", "Clock correction uncertainty",
             [], {
                 "receiver_id";
@@ -3439,7 +3671,7 @@ registry! {
             };
         /// Multi-antenna offset correction (0x82,0x34).
         FilterDataMultiAntennaOffsetCorrection(crate::filter_data::MultiAntennaOffsetCorrection):
-            Data 0x82, 0x34, of 1,
+            Data 0x34, of 1,
             "filter_data.multi_antenna_offset_correction", "Multi-antenna offset correction",
             [], {
                 "receiver_id";
@@ -3448,7 +3680,7 @@ registry! {
             };
         /// Multi-antenna offset correction uncertainty (0x82,0x35).
         FilterDataMultiAntennaOffsetCorrectionUncertainty(crate::filter_data::MultiAntennaOffsetCorrectionUncertainty):
-            Data 0x82, 0x35, of 1,
+            Data 0x35, of 1,
             "filter_data.multi_antenna_offset_correction_uncertainty", "Multi-antenna offset correction uncertainty",
             [], {
                 "receiver_id";
@@ -3457,7 +3689,7 @@ registry! {
             };
         /// ECEF position uncertainty (0x82,0x36).
         FilterDataEcefPositionUncertainty(crate::filter_data::EcefPositionUncertainty):
-            Data 0x82, 0x36, of 1,
+            Data 0x36, of 1,
             "filter_data.ecef_position_uncertainty", "ECEF position uncertainty",
             [], {
                 "position_uncertainty": ["x" "y" "z"] in ["m"] of "ecef";
@@ -3465,7 +3697,7 @@ registry! {
             };
         /// ECEF velocity uncertainty (0x82,0x37).
         FilterDataEcefVelocityUncertainty(crate::filter_data::EcefVelocityUncertainty):
-            Data 0x82, 0x37, of 1,
+            Data 0x37, of 1,
             "filter_data.ecef_velocity_uncertainty", "ECEF velocity uncertainty",
             [], {
                 "velocity_uncertainty": ["x" "y" "z"] in ["m/s"] of "ecef";
@@ -3473,7 +3705,7 @@ registry! {
             };
         /// ECEF position (0x82,0x40).
         FilterDataEcefPosition(crate::filter_data::EcefPosition):
-            Data 0x82, 0x40, of 1,
+            Data 0x40, of 1,
             "filter_data.ecef_position", "ECEF position",
             [], {
                 "position": ["x" "y" "z"] in ["m"] of "ecef";
@@ -3481,7 +3713,7 @@ registry! {
             };
         /// ECEF velocity (0x82,0x41).
         FilterDataEcefVelocity(crate::filter_data::EcefVelocity):
-            Data 0x82, 0x41, of 1,
+            Data 0x41, of 1,
             "filter_data.ecef_velocity", "ECEF velocity",
             [], {
                 "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
@@ -3489,7 +3721,7 @@ registry! {
             };
         /// NED relative position (0x82,0x42).
         FilterDataNedRelativePosition(crate::filter_data::NedRelativePosition):
-            Data 0x82, 0x42, of 1,
+            Data 0x42, of 1,
             "filter_data.ned_relative_position", "NED relative position",
             [], {
                 "relative_position": ["north" "east" "down"] in ["m"] of "ned";
@@ -3497,7 +3729,7 @@ registry! {
             };
         /// GNSS position aiding status (0x82,0x43).
         FilterDataGnssPositionAidingStatus(crate::filter_data::GnssPositionAidingStatus):
-            Data 0x82, 0x43, of 1,
+            Data 0x43, of 1,
             "filter_data.gnss_position_aiding_status", "GNSS position aiding status",
             [], {
                 "receiver_id";
@@ -3507,7 +3739,7 @@ registry! {
             };
         /// GNSS attitude aiding status (0x82,0x44).
         FilterDataGnssAttitudeAidingStatus(crate::filter_data::GnssAttitudeAidingStatus):
-            Data 0x82, 0x44, of 1,
+            Data 0x44, of 1,
             "filter_data.gnss_attitude_aiding_status", "GNSS attitude aiding status",
             [], {
                 "tow" in ["s"];
@@ -3516,7 +3748,7 @@ registry! {
             };
         /// Heading aiding status (0x82,0x45).
         FilterDataHeadingAidingStatus(crate::filter_data::HeadingAidingStatus):
-            Data 0x82, 0x45, of 1,
+            Data 0x45, of 1,
             "filter_data.heading_aiding_status", "Heading aiding status",
             [], {
                 "tow" in ["s"];
@@ -3525,7 +3757,7 @@ registry! {
             };
         /// Aiding measurement summary (0x82,0x46).
         FilterDataAidingMeasurementSummary(crate::filter_data::AidingMeasurementSummary):
-            Data 0x82, 0x46, of 1,
+            Data 0x46, of 1,
             "filter_data.aiding_measurement_summary", "Aiding measurement summary",
             [], {
                 "tow" in ["s"];
@@ -3535,7 +3767,7 @@ registry! {
             };
         /// Odometer scale factor error (0x82,0x47).
         FilterDataOdometerScaleFactorError(crate::filter_data::OdometerScaleFactorError):
-            Data 0x82, 0x47, of 1,
+            Data 0x47, of 1,
             "filter_data.odometer_scale_factor_error", "Odometer scale factor error",
             [], {
                 "scale_factor_error" in ["1"];
@@ -3543,7 +3775,7 @@ registry! {
             };
         /// Odometer scale factor error uncertainty (0x82,0x48).
         FilterDataOdometerScaleFactorErrorUncertainty(crate::filter_data::OdometerScaleFactorErrorUncertainty):
-            Data 0x82, 0x48, of 1,
+            Data 0x48, of 1,
             "filter_data.odometer_scale_factor_error_uncertainty", "Odometer scale factor error uncertainty",
             [], {
                 "scale_factor_error_uncertainty" in ["1"];
@@ -3551,7 +3783,7 @@ registry! {
             };
         /// GNSS dual antenna status (0x82,0x49).
         FilterDataGnssDualAntennaStatus(crate::filter_data::GnssDualAntennaStatus):
-            Data 0x82, 0x49, of 1,
+            Data 0x49, of 1,
             "filter_data.gnss_dual_antenna_status", "GNSS dual antenna status",
             [], {
                 "tow" in ["s"];
@@ -3563,7 +3795,7 @@ registry! {
             };
         /// Aiding frame configuration error (0x82,0x50).
         FilterDataAidingFrameConfigError(crate::filter_data::AidingFrameConfigError):
-            Data 0x82, 0x50, of 1,
+            Data 0x50, of 1,
             "filter_data.aiding_frame_config_error", "Aiding frame configuration error",
             [], {
                 "frame_id";
@@ -3572,7 +3804,7 @@ registry! {
             };
         /// Aiding frame configuration error uncertainty (0x82,0x51).
         FilterDataAidingFrameConfigErrorUncertainty(crate::filter_data::AidingFrameConfigErrorUncertainty):
-            Data 0x82, 0x51, of 1,
+            Data 0x51, of 1,
             "filter_data.aiding_frame_config_error_uncertainty", "Aiding frame configuration error uncertainty",
             [], {
                 "frame_id";
@@ -3580,2333 +3812,18 @@ registry! {
                 "attitude_uncertainty": ["x" "y" "z"] in ["rad"];
             };
     }
-    #[cfg(feature = "gnss_1")]
-    0x91..=0x91 {
-        /// GNSS LLH position (0x91,0x03).
-        Gnss1LlhPosition(crate::gnss_1::LlhPosition):
-            Data 0x91, 0x03, of 1,
-            "gnss_1.llh_position", "GNSS LLH position",
-            [], {
-                "latitude" in ["deg"] of "llh";
-                "longitude" in ["deg"] of "llh";
-                "ellipsoid_height" in ["m"] of "llh";
-                "msl_height" in ["m"];
-                "horizontal_accuracy" in ["m"];
-                "vertical_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// GNSS ECEF position (0x91,0x04).
-        Gnss1EcefPosition(crate::gnss_1::EcefPosition):
-            Data 0x91, 0x04, of 1,
-            "gnss_1.ecef_position", "GNSS ECEF position",
-            [], {
-                "position": ["x" "y" "z"] in ["m"] of "ecef";
-                "position_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// NED velocity (0x91,0x05).
-        Gnss1NedVelocity(crate::gnss_1::NedVelocity):
-            Data 0x91, 0x05, of 1,
-            "gnss_1.ned_velocity", "NED velocity",
-            [], {
-                "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
-                "speed" in ["m/s"];
-                "ground_speed" in ["m/s"];
-                "heading" in ["deg"] of "ned";
-                "speed_accuracy" in ["m/s"];
-                "heading_accuracy" in ["deg"];
-                "valid_flags";
-            };
-        /// GNSS ECEF velocity (0x91,0x06).
-        Gnss1EcefVelocity(crate::gnss_1::EcefVelocity):
-            Data 0x91, 0x06, of 1,
-            "gnss_1.ecef_velocity", "GNSS ECEF velocity",
-            [], {
-                "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
-                "velocity_accuracy" in ["m/s"];
-                "valid_flags";
-            };
-        /// DOP (0x91,0x07).
-        Gnss1Dop(crate::gnss_1::Dop):
-            Data 0x91, 0x07, of 1,
-            "gnss_1.dop", "DOP",
-            [], {
-                "gdop" in ["1"];
-                "pdop" in ["1"];
-                "hdop" in ["1"];
-                "vdop" in ["1"];
-                "tdop" in ["1"];
-                "ndop" in ["1"];
-                "edop" in ["1"];
-                "valid_flags";
-            };
-        /// UTC time (0x91,0x08).
-        Gnss1UtcTime(crate::gnss_1::UtcTime):
-            Data 0x91, 0x08, of 1,
-            "gnss_1.utc_time", "UTC time",
-            [], {
-                "year";
-                "month";
-                "day";
-                "hour";
-                "min";
-                "sec" in ["s"];
-                "msec" in ["ms"];
-                "valid_flags";
-            };
-        /// GPS time (0x91,0x09).
-        Gnss1GpsTime(crate::gnss_1::GpsTime):
-            Data 0x91, 0x09, of 1,
-            "gnss_1.gps_time", "GPS time",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "valid_flags";
-            };
-        /// Clock info (0x91,0x0A).
-        Gnss1ClockInfo(crate::gnss_1::ClockInfo):
-            Data 0x91, 0x0A, of 1,
-            "gnss_1.clock_info", "Clock info",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "accuracy_estimate" in ["s"];
-                "valid_flags";
-            };
-        /// Fix info (0x91,0x0B).
-        Gnss1FixInfo(crate::gnss_1::FixInfo):
-            Data 0x91, 0x0B, of 1,
-            "gnss_1.fix_info", "Fix info",
-            [], {
-                "fix_type";
-                "num_sv" in ["1"];
-                "fix_flags";
-                "valid_flags";
-            };
-        /// Satellite info (0x91,0x0C).
-        Gnss1SvInfo(crate::gnss_1::SvInfo):
-            Data 0x91, 0x0C, of 1,
-            "gnss_1.sv_info", "Satellite info",
-            [], {
-                "channel";
-                "satellite_id";
-                "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
-                "sv_flags";
-                "valid_flags";
-            };
-        /// GNSS hardware status (0x91,0x0D).
-        Gnss1HardwareStatus(crate::gnss_1::HardwareStatus):
-            Data 0x91, 0x0D, of 1,
-            "gnss_1.hardware_status", "GNSS hardware status",
-            [], {
-                "receiver_state";
-                "antenna_state";
-                "antenna_power";
-                "valid_flags";
-            };
-        /// DGPS info (0x91,0x0E).
-        Gnss1DgpsInfo(crate::gnss_1::DgpsInfo):
-            Data 0x91, 0x0E, of 1,
-            "gnss_1.dgps_info", "DGPS info",
-            [], {
-                "age" in ["s"];
-                "base_station_id";
-                "base_station_status";
-                "num_channels" in ["1"];
-                "valid_flags";
-            };
-        /// DGPS channel (0x91,0x0F).
-        Gnss1DgpsChannel(crate::gnss_1::DgpsChannel):
-            Data 0x91, 0x0F, of 1,
-            "gnss_1.dgps_channel", "DGPS channel",
-            [], {
-                "satellite_id";
-                "age" in ["s"];
-                "range_correction" in ["m"];
-                "range_rate_correction" in ["m/s"];
-                "valid_flags";
-            };
-        /// Clock info 2 (0x91,0x10).
-        Gnss1ClockInfo2(crate::gnss_1::ClockInfo2):
-            Data 0x91, 0x10, of 1,
-            "gnss_1.clock_info_2", "Clock info 2",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "bias_accuracy_estimate" in ["s"];
-                "drift_accuracy_estimate" in ["s/s"];
-                "valid_flags";
-            };
-        /// GPS leap seconds (0x91,0x11).
-        Gnss1GpsLeapSeconds(crate::gnss_1::GpsLeapSeconds):
-            Data 0x91, 0x11, of 1,
-            "gnss_1.gps_leap_seconds", "GPS leap seconds",
-            [], {
-                "leap_seconds" in ["s"];
-                "valid_flags";
-            };
-        /// SBAS info (0x91,0x12).
-        Gnss1SbasInfo(crate::gnss_1::SbasInfo):
-            Data 0x91, 0x12, of 1,
-            "gnss_1.sbas_info", "SBAS info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "sbas_system";
-                "sbas_id";
-                "count" in ["1"];
-                "sbas_status";
-                "valid_flags";
-            };
-        /// SBAS correction (0x91,0x13).
-        Gnss1SbasCorrection(crate::gnss_1::SbasCorrection):
-            Data 0x91, 0x13, of 1,
-            "gnss_1.sbas_correction", "SBAS correction",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "udrei";
-                "pseudorange_correction" in ["m"];
-                "iono_correction" in ["m"];
-                "valid_flags";
-            };
-        /// RF error detection (0x91,0x14).
-        Gnss1RfErrorDetection(crate::gnss_1::RfErrorDetection):
-            Data 0x91, 0x14, of 1,
-            "gnss_1.rf_error_detection", "RF error detection",
-            [], {
-                "rf_band";
-                "jamming_state";
-                "spoofing_state";
-                "reserved";
-                "valid_flags";
-            };
-        /// Satellite status (0x91,0x20).
-        Gnss1SatelliteStatus(crate::gnss_1::SatelliteStatus):
-            Data 0x91, 0x20, of 1,
-            "gnss_1.satellite_status", "Satellite status",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
-                "health";
-                "valid_flags";
-            };
-        /// Raw (0x91,0x22).
-        Gnss1Raw(crate::gnss_1::Raw):
-            Data 0x91, 0x22, of 1,
-            "gnss_1.raw", "Raw",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "receiver_id";
-                "tracking_channel";
-                "gnss_id";
-                "satellite_id";
-                "signal_id";
-                "signal_strength" in ["dB-Hz"];
-                "quality";
-                "pseudorange" in ["m"];
-                "carrier_phase" in ["cycle"];
-                "doppler" in ["Hz"];
-                "range_uncertainty" in ["m"];
-                "phase_uncertainty" in ["cycle"];
-                "doppler_uncertainty" in ["Hz"];
-                "lock_time" in ["s"];
-                "valid_flags";
-            };
-        /// Base station info (0x91,0x30).
-        Gnss1BaseStationInfo(crate::gnss_1::BaseStationInfo):
-            Data 0x91, 0x30, of 1,
-            "gnss_1.base_station_info", "Base station info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "ecef_position": ["x" "y" "z"] in ["m"] of "ecef";
-                "height" in ["m"];
-                "station_id";
-                "indicators";
-                "valid_flags";
-            };
-        /// RTK corrections status (0x91,0x31).
-        Gnss1RtkCorrectionsStatus(crate::gnss_1::RtkCorrectionsStatus):
-            Data 0x91, 0x31, of 1,
-            "gnss_1.rtk_corrections_status", "RTK corrections status",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "epoch_status";
-                "dongle_status";
-                "gps_correction_latency" in ["s"];
-                "glonass_correction_latency" in ["s"];
-                "galileo_correction_latency" in ["s"];
-                "beidou_correction_latency" in ["s"];
-                "reserved";
-                "valid_flags";
-            };
-        /// GPS ephemeris (0x91,0x61).
-        Gnss1GpsEphemeris(crate::gnss_1::GpsEphemeris):
-            Data 0x91, 0x61, of 1,
-            "gnss_1.gps_ephemeris", "GPS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GLONASS ephemeris (0x91,0x62).
-        Gnss1GlonassEphemeris(crate::gnss_1::GlonassEphemeris):
-            Data 0x91, 0x62, of 1,
-            "gnss_1.glonass_ephemeris", "GLONASS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "frequency_number";
-                "tk" in ["s"];
-                "tb" in ["s"];
-                "satellite_type";
-                "gamma" in ["1"];
-                "tau_n" in ["s"];
-                "position": ["x" "y" "z"] in ["m"];
-                "velocity": ["x" "y" "z"] in ["m/s"];
-                "accel": ["x" "y" "z"] in ["m/s^2"];
-                "health";
-                "p";
-                "nt" in ["day"];
-                "delta_tau_n" in ["s"];
-                "ft";
-                "en" in ["day"];
-                "p1" in ["min"];
-                "p2";
-                "p3" in ["1"];
-                "p4";
-                "valid_flags";
-            };
-        /// Galileo ephemeris (0x91,0x63).
-        Gnss1GalileoEphemeris(crate::gnss_1::GalileoEphemeris):
-            Data 0x91, 0x63, of 1,
-            "gnss_1.galileo_ephemeris", "Galileo ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// BeiDou ephemeris (0x91,0x64).
-        Gnss1BeidouEphemeris(crate::gnss_1::BeidouEphemeris):
-            Data 0x91, 0x64, of 1,
-            "gnss_1.beidou_ephemeris", "BeiDou ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GPS ionospheric correction (0x91,0x71).
-        Gnss1GpsIonoCorrection(crate::gnss_1::GpsIonoCorrection):
-            Data 0x91, 0x71, of 1,
-            "gnss_1.gps_iono_correction", "GPS ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "valid_flags";
-            };
-        /// Galileo ionospheric correction (0x91,0x73).
-        Gnss1GalileoIonoCorrection(crate::gnss_1::GalileoIonoCorrection):
-            Data 0x91, 0x73, of 1,
-            "gnss_1.galileo_iono_correction", "Galileo ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "disturbance_flags";
-                "valid_flags";
-            };
-        /// BeiDou ionospheric correction (0x91,0x74).
-        Gnss1BeidouIonoCorrection(crate::gnss_1::BeidouIonoCorrection):
-            Data 0x91, 0x74, of 1,
-            "gnss_1.beidou_iono_correction", "BeiDou ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "alpha_correction";
-                "valid_flags";
-            };
-    }
-    #[cfg(feature = "gnss_2")]
-    0x92..=0x92 {
-        /// GNSS LLH position (0x92,0x03).
-        Gnss2LlhPosition(crate::gnss_2::LlhPosition):
-            Data 0x92, 0x03, of 1,
-            "gnss_2.llh_position", "GNSS LLH position",
-            [], {
-                "latitude" in ["deg"] of "llh";
-                "longitude" in ["deg"] of "llh";
-                "ellipsoid_height" in ["m"] of "llh";
-                "msl_height" in ["m"];
-                "horizontal_accuracy" in ["m"];
-                "vertical_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// GNSS ECEF position (0x92,0x04).
-        Gnss2EcefPosition(crate::gnss_2::EcefPosition):
-            Data 0x92, 0x04, of 1,
-            "gnss_2.ecef_position", "GNSS ECEF position",
-            [], {
-                "position": ["x" "y" "z"] in ["m"] of "ecef";
-                "position_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// NED velocity (0x92,0x05).
-        Gnss2NedVelocity(crate::gnss_2::NedVelocity):
-            Data 0x92, 0x05, of 1,
-            "gnss_2.ned_velocity", "NED velocity",
-            [], {
-                "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
-                "speed" in ["m/s"];
-                "ground_speed" in ["m/s"];
-                "heading" in ["deg"] of "ned";
-                "speed_accuracy" in ["m/s"];
-                "heading_accuracy" in ["deg"];
-                "valid_flags";
-            };
-        /// GNSS ECEF velocity (0x92,0x06).
-        Gnss2EcefVelocity(crate::gnss_2::EcefVelocity):
-            Data 0x92, 0x06, of 1,
-            "gnss_2.ecef_velocity", "GNSS ECEF velocity",
-            [], {
-                "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
-                "velocity_accuracy" in ["m/s"];
-                "valid_flags";
-            };
-        /// DOP (0x92,0x07).
-        Gnss2Dop(crate::gnss_2::Dop):
-            Data 0x92, 0x07, of 1,
-            "gnss_2.dop", "DOP",
-            [], {
-                "gdop" in ["1"];
-                "pdop" in ["1"];
-                "hdop" in ["1"];
-                "vdop" in ["1"];
-                "tdop" in ["1"];
-                "ndop" in ["1"];
-                "edop" in ["1"];
-                "valid_flags";
-            };
-        /// UTC time (0x92,0x08).
-        Gnss2UtcTime(crate::gnss_2::UtcTime):
-            Data 0x92, 0x08, of 1,
-            "gnss_2.utc_time", "UTC time",
-            [], {
-                "year";
-                "month";
-                "day";
-                "hour";
-                "min";
-                "sec" in ["s"];
-                "msec" in ["ms"];
-                "valid_flags";
-            };
-        /// GPS time (0x92,0x09).
-        Gnss2GpsTime(crate::gnss_2::GpsTime):
-            Data 0x92, 0x09, of 1,
-            "gnss_2.gps_time", "GPS time",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "valid_flags";
-            };
-        /// Clock info (0x92,0x0A).
-        Gnss2ClockInfo(crate::gnss_2::ClockInfo):
-            Data 0x92, 0x0A, of 1,
-            "gnss_2.clock_info", "Clock info",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "accuracy_estimate" in ["s"];
-                "valid_flags";
-            };
-        /// Fix info (0x92,0x0B).
-        Gnss2FixInfo(crate::gnss_2::FixInfo):
-            Data 0x92, 0x0B, of 1,
-            "gnss_2.fix_info", "Fix info",
-            [], {
-                "fix_type";
-                "num_sv" in ["1"];
-                "fix_flags";
-                "valid_flags";
-            };
-        /// Satellite info (0x92,0x0C).
-        Gnss2SvInfo(crate::gnss_2::SvInfo):
-            Data 0x92, 0x0C, of 1,
-            "gnss_2.sv_info", "Satellite info",
-            [], {
-                "channel";
-                "satellite_id";
-                "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
-                "sv_flags";
-                "valid_flags";
-            };
-        /// GNSS hardware status (0x92,0x0D).
-        Gnss2HardwareStatus(crate::gnss_2::HardwareStatus):
-            Data 0x92, 0x0D, of 1,
-            "gnss_2.hardware_status", "GNSS hardware status",
-            [], {
-                "receiver_state";
-                "antenna_state";
-                "antenna_power";
-                "valid_flags";
-            };
-        /// DGPS info (0x92,0x0E).
-        Gnss2DgpsInfo(crate::gnss_2::DgpsInfo):
-            Data 0x92, 0x0E, of 1,
-            "gnss_2.dgps_info", "DGPS info",
-            [], {
-                "age" in ["s"];
-                "base_station_id";
-                "base_station_status";
-                "num_channels" in ["1"];
-                "valid_flags";
-            };
-        /// DGPS channel (0x92,0x0F).
-        Gnss2DgpsChannel(crate::gnss_2::DgpsChannel):
-            Data 0x92, 0x0F, of 1,
-            "gnss_2.dgps_channel", "DGPS channel",
-            [], {
-                "satellite_id";
-                "age" in ["s"];
-                "range_correction" in ["m"];
-                "range_rate_correction" in ["m/s"];
-                "valid_flags";
-            };
-        /// Clock info 2 (0x92,0x10).
-        Gnss2ClockInfo2(crate::gnss_2::ClockInfo2):
-            Data 0x92, 0x10, of 1,
-            "gnss_2.clock_info_2", "Clock info 2",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "bias_accuracy_estimate" in ["s"];
-                "drift_accuracy_estimate" in ["s/s"];
-                "valid_flags";
-            };
-        /// GPS leap seconds (0x92,0x11).
-        Gnss2GpsLeapSeconds(crate::gnss_2::GpsLeapSeconds):
-            Data 0x92, 0x11, of 1,
-            "gnss_2.gps_leap_seconds", "GPS leap seconds",
-            [], {
-                "leap_seconds" in ["s"];
-                "valid_flags";
-            };
-        /// SBAS info (0x92,0x12).
-        Gnss2SbasInfo(crate::gnss_2::SbasInfo):
-            Data 0x92, 0x12, of 1,
-            "gnss_2.sbas_info", "SBAS info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "sbas_system";
-                "sbas_id";
-                "count" in ["1"];
-                "sbas_status";
-                "valid_flags";
-            };
-        /// SBAS correction (0x92,0x13).
-        Gnss2SbasCorrection(crate::gnss_2::SbasCorrection):
-            Data 0x92, 0x13, of 1,
-            "gnss_2.sbas_correction", "SBAS correction",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "udrei";
-                "pseudorange_correction" in ["m"];
-                "iono_correction" in ["m"];
-                "valid_flags";
-            };
-        /// RF error detection (0x92,0x14).
-        Gnss2RfErrorDetection(crate::gnss_2::RfErrorDetection):
-            Data 0x92, 0x14, of 1,
-            "gnss_2.rf_error_detection", "RF error detection",
-            [], {
-                "rf_band";
-                "jamming_state";
-                "spoofing_state";
-                "reserved";
-                "valid_flags";
-            };
-        /// Satellite status (0x92,0x20).
-        Gnss2SatelliteStatus(crate::gnss_2::SatelliteStatus):
-            Data 0x92, 0x20, of 1,
-            "gnss_2.satellite_status", "Satellite status",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
-                "health";
-                "valid_flags";
-            };
-        /// Raw (0x92,0x22).
-        Gnss2Raw(crate::gnss_2::Raw):
-            Data 0x92, 0x22, of 1,
-            "gnss_2.raw", "Raw",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "receiver_id";
-                "tracking_channel";
-                "gnss_id";
-                "satellite_id";
-                "signal_id";
-                "signal_strength" in ["dB-Hz"];
-                "quality";
-                "pseudorange" in ["m"];
-                "carrier_phase" in ["cycle"];
-                "doppler" in ["Hz"];
-                "range_uncertainty" in ["m"];
-                "phase_uncertainty" in ["cycle"];
-                "doppler_uncertainty" in ["Hz"];
-                "lock_time" in ["s"];
-                "valid_flags";
-            };
-        /// Base station info (0x92,0x30).
-        Gnss2BaseStationInfo(crate::gnss_2::BaseStationInfo):
-            Data 0x92, 0x30, of 1,
-            "gnss_2.base_station_info", "Base station info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "ecef_position": ["x" "y" "z"] in ["m"] of "ecef";
-                "height" in ["m"];
-                "station_id";
-                "indicators";
-                "valid_flags";
-            };
-        /// RTK corrections status (0x92,0x31).
-        Gnss2RtkCorrectionsStatus(crate::gnss_2::RtkCorrectionsStatus):
-            Data 0x92, 0x31, of 1,
-            "gnss_2.rtk_corrections_status", "RTK corrections status",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "epoch_status";
-                "dongle_status";
-                "gps_correction_latency" in ["s"];
-                "glonass_correction_latency" in ["s"];
-                "galileo_correction_latency" in ["s"];
-                "beidou_correction_latency" in ["s"];
-                "reserved";
-                "valid_flags";
-            };
-        /// GPS ephemeris (0x92,0x61).
-        Gnss2GpsEphemeris(crate::gnss_2::GpsEphemeris):
-            Data 0x92, 0x61, of 1,
-            "gnss_2.gps_ephemeris", "GPS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GLONASS ephemeris (0x92,0x62).
-        Gnss2GlonassEphemeris(crate::gnss_2::GlonassEphemeris):
-            Data 0x92, 0x62, of 1,
-            "gnss_2.glonass_ephemeris", "GLONASS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "frequency_number";
-                "tk" in ["s"];
-                "tb" in ["s"];
-                "satellite_type";
-                "gamma" in ["1"];
-                "tau_n" in ["s"];
-                "position": ["x" "y" "z"] in ["m"];
-                "velocity": ["x" "y" "z"] in ["m/s"];
-                "accel": ["x" "y" "z"] in ["m/s^2"];
-                "health";
-                "p";
-                "nt" in ["day"];
-                "delta_tau_n" in ["s"];
-                "ft";
-                "en" in ["day"];
-                "p1" in ["min"];
-                "p2";
-                "p3" in ["1"];
-                "p4";
-                "valid_flags";
-            };
-        /// Galileo ephemeris (0x92,0x63).
-        Gnss2GalileoEphemeris(crate::gnss_2::GalileoEphemeris):
-            Data 0x92, 0x63, of 1,
-            "gnss_2.galileo_ephemeris", "Galileo ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// BeiDou ephemeris (0x92,0x64).
-        Gnss2BeidouEphemeris(crate::gnss_2::BeidouEphemeris):
-            Data 0x92, 0x64, of 1,
-            "gnss_2.beidou_ephemeris", "BeiDou ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GPS ionospheric correction (0x92,0x71).
-        Gnss2GpsIonoCorrection(crate::gnss_2::GpsIonoCorrection):
-            Data 0x92, 0x71, of 1,
-            "gnss_2.gps_iono_correction", "GPS ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "valid_flags";
-            };
-        /// Galileo ionospheric correction (0x92,0x73).
-        Gnss2GalileoIonoCorrection(crate::gnss_2::GalileoIonoCorrection):
-            Data 0x92, 0x73, of 1,
-            "gnss_2.galileo_iono_correction", "Galileo ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "disturbance_flags";
-                "valid_flags";
-            };
-        /// BeiDou ionospheric correction (0x92,0x74).
-        Gnss2BeidouIonoCorrection(crate::gnss_2::BeidouIonoCorrection):
-            Data 0x92, 0x74, of 1,
-            "gnss_2.beidou_iono_correction", "BeiDou ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "alpha_correction";
-                "valid_flags";
-            };
-    }
-    #[cfg(feature = "gnss_corrections")]
-    0x93..=0x93 {
-        /// GNSS LLH position (0x93,0x03).
-        GnssCorrectionsLlhPosition(crate::gnss_corrections::LlhPosition):
-            Data 0x93, 0x03, of 1,
-            "gnss_corrections.llh_position", "GNSS LLH position",
-            [], {
-                "latitude" in ["deg"] of "llh";
-                "longitude" in ["deg"] of "llh";
-                "ellipsoid_height" in ["m"] of "llh";
-                "msl_height" in ["m"];
-                "horizontal_accuracy" in ["m"];
-                "vertical_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// GNSS ECEF position (0x93,0x04).
-        GnssCorrectionsEcefPosition(crate::gnss_corrections::EcefPosition):
-            Data 0x93, 0x04, of 1,
-            "gnss_corrections.ecef_position", "GNSS ECEF position",
-            [], {
-                "position": ["x" "y" "z"] in ["m"] of "ecef";
-                "position_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// NED velocity (0x93,0x05).
-        GnssCorrectionsNedVelocity(crate::gnss_corrections::NedVelocity):
-            Data 0x93, 0x05, of 1,
-            "gnss_corrections.ned_velocity", "NED velocity",
-            [], {
-                "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
-                "speed" in ["m/s"];
-                "ground_speed" in ["m/s"];
-                "heading" in ["deg"] of "ned";
-                "speed_accuracy" in ["m/s"];
-                "heading_accuracy" in ["deg"];
-                "valid_flags";
-            };
-        /// GNSS ECEF velocity (0x93,0x06).
-        GnssCorrectionsEcefVelocity(crate::gnss_corrections::EcefVelocity):
-            Data 0x93, 0x06, of 1,
-            "gnss_corrections.ecef_velocity", "GNSS ECEF velocity",
-            [], {
-                "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
-                "velocity_accuracy" in ["m/s"];
-                "valid_flags";
-            };
-        /// DOP (0x93,0x07).
-        GnssCorrectionsDop(crate::gnss_corrections::Dop):
-            Data 0x93, 0x07, of 1,
-            "gnss_corrections.dop", "DOP",
-            [], {
-                "gdop" in ["1"];
-                "pdop" in ["1"];
-                "hdop" in ["1"];
-                "vdop" in ["1"];
-                "tdop" in ["1"];
-                "ndop" in ["1"];
-                "edop" in ["1"];
-                "valid_flags";
-            };
-        /// UTC time (0x93,0x08).
-        GnssCorrectionsUtcTime(crate::gnss_corrections::UtcTime):
-            Data 0x93, 0x08, of 1,
-            "gnss_corrections.utc_time", "UTC time",
-            [], {
-                "year";
-                "month";
-                "day";
-                "hour";
-                "min";
-                "sec" in ["s"];
-                "msec" in ["ms"];
-                "valid_flags";
-            };
-        /// GPS time (0x93,0x09).
-        GnssCorrectionsGpsTime(crate::gnss_corrections::GpsTime):
-            Data 0x93, 0x09, of 1,
-            "gnss_corrections.gps_time", "GPS time",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "valid_flags";
-            };
-        /// Clock info (0x93,0x0A).
-        GnssCorrectionsClockInfo(crate::gnss_corrections::ClockInfo):
-            Data 0x93, 0x0A, of 1,
-            "gnss_corrections.clock_info", "Clock info",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "accuracy_estimate" in ["s"];
-                "valid_flags";
-            };
-        /// Fix info (0x93,0x0B).
-        GnssCorrectionsFixInfo(crate::gnss_corrections::FixInfo):
-            Data 0x93, 0x0B, of 1,
-            "gnss_corrections.fix_info", "Fix info",
-            [], {
-                "fix_type";
-                "num_sv" in ["1"];
-                "fix_flags";
-                "valid_flags";
-            };
-        /// Satellite info (0x93,0x0C).
-        GnssCorrectionsSvInfo(crate::gnss_corrections::SvInfo):
-            Data 0x93, 0x0C, of 1,
-            "gnss_corrections.sv_info", "Satellite info",
-            [], {
-                "channel";
-                "satellite_id";
-                "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
-                "sv_flags";
-                "valid_flags";
-            };
-        /// GNSS hardware status (0x93,0x0D).
-        GnssCorrectionsHardwareStatus(crate::gnss_corrections::HardwareStatus):
-            Data 0x93, 0x0D, of 1,
-            "gnss_corrections.hardware_status", "GNSS hardware status",
-            [], {
-                "receiver_state";
-                "antenna_state";
-                "antenna_power";
-                "valid_flags";
-            };
-        /// DGPS info (0x93,0x0E).
-        GnssCorrectionsDgpsInfo(crate::gnss_corrections::DgpsInfo):
-            Data 0x93, 0x0E, of 1,
-            "gnss_corrections.dgps_info", "DGPS info",
-            [], {
-                "age" in ["s"];
-                "base_station_id";
-                "base_station_status";
-                "num_channels" in ["1"];
-                "valid_flags";
-            };
-        /// DGPS channel (0x93,0x0F).
-        GnssCorrectionsDgpsChannel(crate::gnss_corrections::DgpsChannel):
-            Data 0x93, 0x0F, of 1,
-            "gnss_corrections.dgps_channel", "DGPS channel",
-            [], {
-                "satellite_id";
-                "age" in ["s"];
-                "range_correction" in ["m"];
-                "range_rate_correction" in ["m/s"];
-                "valid_flags";
-            };
-        /// Clock info 2 (0x93,0x10).
-        GnssCorrectionsClockInfo2(crate::gnss_corrections::ClockInfo2):
-            Data 0x93, 0x10, of 1,
-            "gnss_corrections.clock_info_2", "Clock info 2",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "bias_accuracy_estimate" in ["s"];
-                "drift_accuracy_estimate" in ["s/s"];
-                "valid_flags";
-            };
-        /// GPS leap seconds (0x93,0x11).
-        GnssCorrectionsGpsLeapSeconds(crate::gnss_corrections::GpsLeapSeconds):
-            Data 0x93, 0x11, of 1,
-            "gnss_corrections.gps_leap_seconds", "GPS leap seconds",
-            [], {
-                "leap_seconds" in ["s"];
-                "valid_flags";
-            };
-        /// SBAS info (0x93,0x12).
-        GnssCorrectionsSbasInfo(crate::gnss_corrections::SbasInfo):
-            Data 0x93, 0x12, of 1,
-            "gnss_corrections.sbas_info", "SBAS info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "sbas_system";
-                "sbas_id";
-                "count" in ["1"];
-                "sbas_status";
-                "valid_flags";
-            };
-        /// SBAS correction (0x93,0x13).
-        GnssCorrectionsSbasCorrection(crate::gnss_corrections::SbasCorrection):
-            Data 0x93, 0x13, of 1,
-            "gnss_corrections.sbas_correction", "SBAS correction",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "udrei";
-                "pseudorange_correction" in ["m"];
-                "iono_correction" in ["m"];
-                "valid_flags";
-            };
-        /// RF error detection (0x93,0x14).
-        GnssCorrectionsRfErrorDetection(crate::gnss_corrections::RfErrorDetection):
-            Data 0x93, 0x14, of 1,
-            "gnss_corrections.rf_error_detection", "RF error detection",
-            [], {
-                "rf_band";
-                "jamming_state";
-                "spoofing_state";
-                "reserved";
-                "valid_flags";
-            };
-        /// Satellite status (0x93,0x20).
-        GnssCorrectionsSatelliteStatus(crate::gnss_corrections::SatelliteStatus):
-            Data 0x93, 0x20, of 1,
-            "gnss_corrections.satellite_status", "Satellite status",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
-                "health";
-                "valid_flags";
-            };
-        /// Raw (0x93,0x22).
-        GnssCorrectionsRaw(crate::gnss_corrections::Raw):
-            Data 0x93, 0x22, of 1,
-            "gnss_corrections.raw", "Raw",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "receiver_id";
-                "tracking_channel";
-                "gnss_id";
-                "satellite_id";
-                "signal_id";
-                "signal_strength" in ["dB-Hz"];
-                "quality";
-                "pseudorange" in ["m"];
-                "carrier_phase" in ["cycle"];
-                "doppler" in ["Hz"];
-                "range_uncertainty" in ["m"];
-                "phase_uncertainty" in ["cycle"];
-                "doppler_uncertainty" in ["Hz"];
-                "lock_time" in ["s"];
-                "valid_flags";
-            };
-        /// Base station info (0x93,0x30).
-        GnssCorrectionsBaseStationInfo(crate::gnss_corrections::BaseStationInfo):
-            Data 0x93, 0x30, of 1,
-            "gnss_corrections.base_station_info", "Base station info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "ecef_position": ["x" "y" "z"] in ["m"] of "ecef";
-                "height" in ["m"];
-                "station_id";
-                "indicators";
-                "valid_flags";
-            };
-        /// RTK corrections status (0x93,0x31).
-        GnssCorrectionsRtkCorrectionsStatus(crate::gnss_corrections::RtkCorrectionsStatus):
-            Data 0x93, 0x31, of 1,
-            "gnss_corrections.rtk_corrections_status", "RTK corrections status",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "epoch_status";
-                "dongle_status";
-                "gps_correction_latency" in ["s"];
-                "glonass_correction_latency" in ["s"];
-                "galileo_correction_latency" in ["s"];
-                "beidou_correction_latency" in ["s"];
-                "reserved";
-                "valid_flags";
-            };
-        /// GPS ephemeris (0x93,0x61).
-        GnssCorrectionsGpsEphemeris(crate::gnss_corrections::GpsEphemeris):
-            Data 0x93, 0x61, of 1,
-            "gnss_corrections.gps_ephemeris", "GPS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GLONASS ephemeris (0x93,0x62).
-        GnssCorrectionsGlonassEphemeris(crate::gnss_corrections::GlonassEphemeris):
-            Data 0x93, 0x62, of 1,
-            "gnss_corrections.glonass_ephemeris", "GLONASS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "frequency_number";
-                "tk" in ["s"];
-                "tb" in ["s"];
-                "satellite_type";
-                "gamma" in ["1"];
-                "tau_n" in ["s"];
-                "position": ["x" "y" "z"] in ["m"];
-                "velocity": ["x" "y" "z"] in ["m/s"];
-                "accel": ["x" "y" "z"] in ["m/s^2"];
-                "health";
-                "p";
-                "nt" in ["day"];
-                "delta_tau_n" in ["s"];
-                "ft";
-                "en" in ["day"];
-                "p1" in ["min"];
-                "p2";
-                "p3" in ["1"];
-                "p4";
-                "valid_flags";
-            };
-        /// Galileo ephemeris (0x93,0x63).
-        GnssCorrectionsGalileoEphemeris(crate::gnss_corrections::GalileoEphemeris):
-            Data 0x93, 0x63, of 1,
-            "gnss_corrections.galileo_ephemeris", "Galileo ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// BeiDou ephemeris (0x93,0x64).
-        GnssCorrectionsBeidouEphemeris(crate::gnss_corrections::BeidouEphemeris):
-            Data 0x93, 0x64, of 1,
-            "gnss_corrections.beidou_ephemeris", "BeiDou ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GPS ionospheric correction (0x93,0x71).
-        GnssCorrectionsGpsIonoCorrection(crate::gnss_corrections::GpsIonoCorrection):
-            Data 0x93, 0x71, of 1,
-            "gnss_corrections.gps_iono_correction", "GPS ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "valid_flags";
-            };
-        /// Galileo ionospheric correction (0x93,0x73).
-        GnssCorrectionsGalileoIonoCorrection(crate::gnss_corrections::GalileoIonoCorrection):
-            Data 0x93, 0x73, of 1,
-            "gnss_corrections.galileo_iono_correction", "Galileo ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "disturbance_flags";
-                "valid_flags";
-            };
-        /// BeiDou ionospheric correction (0x93,0x74).
-        GnssCorrectionsBeidouIonoCorrection(crate::gnss_corrections::BeidouIonoCorrection):
-            Data 0x93, 0x74, of 1,
-            "gnss_corrections.beidou_iono_correction", "BeiDou ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "alpha_correction";
-                "valid_flags";
-            };
-    }
-    #[cfg(feature = "gnss_external")]
-    0x94..=0x94 {
-        /// GNSS LLH position (0x94,0x03).
-        GnssExternalLlhPosition(crate::gnss_external::LlhPosition):
-            Data 0x94, 0x03, of 1,
-            "gnss_external.llh_position", "GNSS LLH position",
-            [], {
-                "latitude" in ["deg"] of "llh";
-                "longitude" in ["deg"] of "llh";
-                "ellipsoid_height" in ["m"] of "llh";
-                "msl_height" in ["m"];
-                "horizontal_accuracy" in ["m"];
-                "vertical_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// GNSS ECEF position (0x94,0x04).
-        GnssExternalEcefPosition(crate::gnss_external::EcefPosition):
-            Data 0x94, 0x04, of 1,
-            "gnss_external.ecef_position", "GNSS ECEF position",
-            [], {
-                "position": ["x" "y" "z"] in ["m"] of "ecef";
-                "position_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// NED velocity (0x94,0x05).
-        GnssExternalNedVelocity(crate::gnss_external::NedVelocity):
-            Data 0x94, 0x05, of 1,
-            "gnss_external.ned_velocity", "NED velocity",
-            [], {
-                "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
-                "speed" in ["m/s"];
-                "ground_speed" in ["m/s"];
-                "heading" in ["deg"] of "ned";
-                "speed_accuracy" in ["m/s"];
-                "heading_accuracy" in ["deg"];
-                "valid_flags";
-            };
-        /// GNSS ECEF velocity (0x94,0x06).
-        GnssExternalEcefVelocity(crate::gnss_external::EcefVelocity):
-            Data 0x94, 0x06, of 1,
-            "gnss_external.ecef_velocity", "GNSS ECEF velocity",
-            [], {
-                "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
-                "velocity_accuracy" in ["m/s"];
-                "valid_flags";
-            };
-        /// DOP (0x94,0x07).
-        GnssExternalDop(crate::gnss_external::Dop):
-            Data 0x94, 0x07, of 1,
-            "gnss_external.dop", "DOP",
-            [], {
-                "gdop" in ["1"];
-                "pdop" in ["1"];
-                "hdop" in ["1"];
-                "vdop" in ["1"];
-                "tdop" in ["1"];
-                "ndop" in ["1"];
-                "edop" in ["1"];
-                "valid_flags";
-            };
-        /// UTC time (0x94,0x08).
-        GnssExternalUtcTime(crate::gnss_external::UtcTime):
-            Data 0x94, 0x08, of 1,
-            "gnss_external.utc_time", "UTC time",
-            [], {
-                "year";
-                "month";
-                "day";
-                "hour";
-                "min";
-                "sec" in ["s"];
-                "msec" in ["ms"];
-                "valid_flags";
-            };
-        /// GPS time (0x94,0x09).
-        GnssExternalGpsTime(crate::gnss_external::GpsTime):
-            Data 0x94, 0x09, of 1,
-            "gnss_external.gps_time", "GPS time",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "valid_flags";
-            };
-        /// Clock info (0x94,0x0A).
-        GnssExternalClockInfo(crate::gnss_external::ClockInfo):
-            Data 0x94, 0x0A, of 1,
-            "gnss_external.clock_info", "Clock info",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "accuracy_estimate" in ["s"];
-                "valid_flags";
-            };
-        /// Fix info (0x94,0x0B).
-        GnssExternalFixInfo(crate::gnss_external::FixInfo):
-            Data 0x94, 0x0B, of 1,
-            "gnss_external.fix_info", "Fix info",
-            [], {
-                "fix_type";
-                "num_sv" in ["1"];
-                "fix_flags";
-                "valid_flags";
-            };
-        /// Satellite info (0x94,0x0C).
-        GnssExternalSvInfo(crate::gnss_external::SvInfo):
-            Data 0x94, 0x0C, of 1,
-            "gnss_external.sv_info", "Satellite info",
-            [], {
-                "channel";
-                "satellite_id";
-                "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
-                "sv_flags";
-                "valid_flags";
-            };
-        /// GNSS hardware status (0x94,0x0D).
-        GnssExternalHardwareStatus(crate::gnss_external::HardwareStatus):
-            Data 0x94, 0x0D, of 1,
-            "gnss_external.hardware_status", "GNSS hardware status",
-            [], {
-                "receiver_state";
-                "antenna_state";
-                "antenna_power";
-                "valid_flags";
-            };
-        /// DGPS info (0x94,0x0E).
-        GnssExternalDgpsInfo(crate::gnss_external::DgpsInfo):
-            Data 0x94, 0x0E, of 1,
-            "gnss_external.dgps_info", "DGPS info",
-            [], {
-                "age" in ["s"];
-                "base_station_id";
-                "base_station_status";
-                "num_channels" in ["1"];
-                "valid_flags";
-            };
-        /// DGPS channel (0x94,0x0F).
-        GnssExternalDgpsChannel(crate::gnss_external::DgpsChannel):
-            Data 0x94, 0x0F, of 1,
-            "gnss_external.dgps_channel", "DGPS channel",
-            [], {
-                "satellite_id";
-                "age" in ["s"];
-                "range_correction" in ["m"];
-                "range_rate_correction" in ["m/s"];
-                "valid_flags";
-            };
-        /// Clock info 2 (0x94,0x10).
-        GnssExternalClockInfo2(crate::gnss_external::ClockInfo2):
-            Data 0x94, 0x10, of 1,
-            "gnss_external.clock_info_2", "Clock info 2",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "bias_accuracy_estimate" in ["s"];
-                "drift_accuracy_estimate" in ["s/s"];
-                "valid_flags";
-            };
-        /// GPS leap seconds (0x94,0x11).
-        GnssExternalGpsLeapSeconds(crate::gnss_external::GpsLeapSeconds):
-            Data 0x94, 0x11, of 1,
-            "gnss_external.gps_leap_seconds", "GPS leap seconds",
-            [], {
-                "leap_seconds" in ["s"];
-                "valid_flags";
-            };
-        /// SBAS info (0x94,0x12).
-        GnssExternalSbasInfo(crate::gnss_external::SbasInfo):
-            Data 0x94, 0x12, of 1,
-            "gnss_external.sbas_info", "SBAS info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "sbas_system";
-                "sbas_id";
-                "count" in ["1"];
-                "sbas_status";
-                "valid_flags";
-            };
-        /// SBAS correction (0x94,0x13).
-        GnssExternalSbasCorrection(crate::gnss_external::SbasCorrection):
-            Data 0x94, 0x13, of 1,
-            "gnss_external.sbas_correction", "SBAS correction",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "udrei";
-                "pseudorange_correction" in ["m"];
-                "iono_correction" in ["m"];
-                "valid_flags";
-            };
-        /// RF error detection (0x94,0x14).
-        GnssExternalRfErrorDetection(crate::gnss_external::RfErrorDetection):
-            Data 0x94, 0x14, of 1,
-            "gnss_external.rf_error_detection", "RF error detection",
-            [], {
-                "rf_band";
-                "jamming_state";
-                "spoofing_state";
-                "reserved";
-                "valid_flags";
-            };
-        /// Satellite status (0x94,0x20).
-        GnssExternalSatelliteStatus(crate::gnss_external::SatelliteStatus):
-            Data 0x94, 0x20, of 1,
-            "gnss_external.satellite_status", "Satellite status",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
-                "health";
-                "valid_flags";
-            };
-        /// Raw (0x94,0x22).
-        GnssExternalRaw(crate::gnss_external::Raw):
-            Data 0x94, 0x22, of 1,
-            "gnss_external.raw", "Raw",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "receiver_id";
-                "tracking_channel";
-                "gnss_id";
-                "satellite_id";
-                "signal_id";
-                "signal_strength" in ["dB-Hz"];
-                "quality";
-                "pseudorange" in ["m"];
-                "carrier_phase" in ["cycle"];
-                "doppler" in ["Hz"];
-                "range_uncertainty" in ["m"];
-                "phase_uncertainty" in ["cycle"];
-                "doppler_uncertainty" in ["Hz"];
-                "lock_time" in ["s"];
-                "valid_flags";
-            };
-        /// Base station info (0x94,0x30).
-        GnssExternalBaseStationInfo(crate::gnss_external::BaseStationInfo):
-            Data 0x94, 0x30, of 1,
-            "gnss_external.base_station_info", "Base station info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "ecef_position": ["x" "y" "z"] in ["m"] of "ecef";
-                "height" in ["m"];
-                "station_id";
-                "indicators";
-                "valid_flags";
-            };
-        /// RTK corrections status (0x94,0x31).
-        GnssExternalRtkCorrectionsStatus(crate::gnss_external::RtkCorrectionsStatus):
-            Data 0x94, 0x31, of 1,
-            "gnss_external.rtk_corrections_status", "RTK corrections status",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "epoch_status";
-                "dongle_status";
-                "gps_correction_latency" in ["s"];
-                "glonass_correction_latency" in ["s"];
-                "galileo_correction_latency" in ["s"];
-                "beidou_correction_latency" in ["s"];
-                "reserved";
-                "valid_flags";
-            };
-        /// GPS ephemeris (0x94,0x61).
-        GnssExternalGpsEphemeris(crate::gnss_external::GpsEphemeris):
-            Data 0x94, 0x61, of 1,
-            "gnss_external.gps_ephemeris", "GPS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GLONASS ephemeris (0x94,0x62).
-        GnssExternalGlonassEphemeris(crate::gnss_external::GlonassEphemeris):
-            Data 0x94, 0x62, of 1,
-            "gnss_external.glonass_ephemeris", "GLONASS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "frequency_number";
-                "tk" in ["s"];
-                "tb" in ["s"];
-                "satellite_type";
-                "gamma" in ["1"];
-                "tau_n" in ["s"];
-                "position": ["x" "y" "z"] in ["m"];
-                "velocity": ["x" "y" "z"] in ["m/s"];
-                "accel": ["x" "y" "z"] in ["m/s^2"];
-                "health";
-                "p";
-                "nt" in ["day"];
-                "delta_tau_n" in ["s"];
-                "ft";
-                "en" in ["day"];
-                "p1" in ["min"];
-                "p2";
-                "p3" in ["1"];
-                "p4";
-                "valid_flags";
-            };
-        /// Galileo ephemeris (0x94,0x63).
-        GnssExternalGalileoEphemeris(crate::gnss_external::GalileoEphemeris):
-            Data 0x94, 0x63, of 1,
-            "gnss_external.galileo_ephemeris", "Galileo ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// BeiDou ephemeris (0x94,0x64).
-        GnssExternalBeidouEphemeris(crate::gnss_external::BeidouEphemeris):
-            Data 0x94, 0x64, of 1,
-            "gnss_external.beidou_ephemeris", "BeiDou ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GPS ionospheric correction (0x94,0x71).
-        GnssExternalGpsIonoCorrection(crate::gnss_external::GpsIonoCorrection):
-            Data 0x94, 0x71, of 1,
-            "gnss_external.gps_iono_correction", "GPS ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "valid_flags";
-            };
-        /// Galileo ionospheric correction (0x94,0x73).
-        GnssExternalGalileoIonoCorrection(crate::gnss_external::GalileoIonoCorrection):
-            Data 0x94, 0x73, of 1,
-            "gnss_external.galileo_iono_correction", "Galileo ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "disturbance_flags";
-                "valid_flags";
-            };
-        /// BeiDou ionospheric correction (0x94,0x74).
-        GnssExternalBeidouIonoCorrection(crate::gnss_external::BeidouIonoCorrection):
-            Data 0x94, 0x74, of 1,
-            "gnss_external.beidou_iono_correction", "BeiDou ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "alpha_correction";
-                "valid_flags";
-            };
-    }
-    #[cfg(feature = "gnss_external_2")]
-    0x95..=0x95 {
-        /// GNSS LLH position (0x95,0x03).
-        GnssExternal2LlhPosition(crate::gnss_external_2::LlhPosition):
-            Data 0x95, 0x03, of 1,
-            "gnss_external_2.llh_position", "GNSS LLH position",
-            [], {
-                "latitude" in ["deg"] of "llh";
-                "longitude" in ["deg"] of "llh";
-                "ellipsoid_height" in ["m"] of "llh";
-                "msl_height" in ["m"];
-                "horizontal_accuracy" in ["m"];
-                "vertical_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// GNSS ECEF position (0x95,0x04).
-        GnssExternal2EcefPosition(crate::gnss_external_2::EcefPosition):
-            Data 0x95, 0x04, of 1,
-            "gnss_external_2.ecef_position", "GNSS ECEF position",
-            [], {
-                "position": ["x" "y" "z"] in ["m"] of "ecef";
-                "position_accuracy" in ["m"];
-                "valid_flags";
-            };
-        /// NED velocity (0x95,0x05).
-        GnssExternal2NedVelocity(crate::gnss_external_2::NedVelocity):
-            Data 0x95, 0x05, of 1,
-            "gnss_external_2.ned_velocity", "NED velocity",
-            [], {
-                "velocity": ["north" "east" "down"] in ["m/s"] of "ned";
-                "speed" in ["m/s"];
-                "ground_speed" in ["m/s"];
-                "heading" in ["deg"] of "ned";
-                "speed_accuracy" in ["m/s"];
-                "heading_accuracy" in ["deg"];
-                "valid_flags";
-            };
-        /// GNSS ECEF velocity (0x95,0x06).
-        GnssExternal2EcefVelocity(crate::gnss_external_2::EcefVelocity):
-            Data 0x95, 0x06, of 1,
-            "gnss_external_2.ecef_velocity", "GNSS ECEF velocity",
-            [], {
-                "velocity": ["x" "y" "z"] in ["m/s"] of "ecef";
-                "velocity_accuracy" in ["m/s"];
-                "valid_flags";
-            };
-        /// DOP (0x95,0x07).
-        GnssExternal2Dop(crate::gnss_external_2::Dop):
-            Data 0x95, 0x07, of 1,
-            "gnss_external_2.dop", "DOP",
-            [], {
-                "gdop" in ["1"];
-                "pdop" in ["1"];
-                "hdop" in ["1"];
-                "vdop" in ["1"];
-                "tdop" in ["1"];
-                "ndop" in ["1"];
-                "edop" in ["1"];
-                "valid_flags";
-            };
-        /// UTC time (0x95,0x08).
-        GnssExternal2UtcTime(crate::gnss_external_2::UtcTime):
-            Data 0x95, 0x08, of 1,
-            "gnss_external_2.utc_time", "UTC time",
-            [], {
-                "year";
-                "month";
-                "day";
-                "hour";
-                "min";
-                "sec" in ["s"];
-                "msec" in ["ms"];
-                "valid_flags";
-            };
-        /// GPS time (0x95,0x09).
-        GnssExternal2GpsTime(crate::gnss_external_2::GpsTime):
-            Data 0x95, 0x09, of 1,
-            "gnss_external_2.gps_time", "GPS time",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "valid_flags";
-            };
-        /// Clock info (0x95,0x0A).
-        GnssExternal2ClockInfo(crate::gnss_external_2::ClockInfo):
-            Data 0x95, 0x0A, of 1,
-            "gnss_external_2.clock_info", "Clock info",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "accuracy_estimate" in ["s"];
-                "valid_flags";
-            };
-        /// Fix info (0x95,0x0B).
-        GnssExternal2FixInfo(crate::gnss_external_2::FixInfo):
-            Data 0x95, 0x0B, of 1,
-            "gnss_external_2.fix_info", "Fix info",
-            [], {
-                "fix_type";
-                "num_sv" in ["1"];
-                "fix_flags";
-                "valid_flags";
-            };
-        /// Satellite info (0x95,0x0C).
-        GnssExternal2SvInfo(crate::gnss_external_2::SvInfo):
-            Data 0x95, 0x0C, of 1,
-            "gnss_external_2.sv_info", "Satellite info",
-            [], {
-                "channel";
-                "satellite_id";
-                "carrier_noise_ratio" in ["dB-Hz"];
-                "azimuth" in ["deg"];
-                "elevation" in ["deg"];
-                "sv_flags";
-                "valid_flags";
-            };
-        /// GNSS hardware status (0x95,0x0D).
-        GnssExternal2HardwareStatus(crate::gnss_external_2::HardwareStatus):
-            Data 0x95, 0x0D, of 1,
-            "gnss_external_2.hardware_status", "GNSS hardware status",
-            [], {
-                "receiver_state";
-                "antenna_state";
-                "antenna_power";
-                "valid_flags";
-            };
-        /// DGPS info (0x95,0x0E).
-        GnssExternal2DgpsInfo(crate::gnss_external_2::DgpsInfo):
-            Data 0x95, 0x0E, of 1,
-            "gnss_external_2.dgps_info", "DGPS info",
-            [], {
-                "age" in ["s"];
-                "base_station_id";
-                "base_station_status";
-                "num_channels" in ["1"];
-                "valid_flags";
-            };
-        /// DGPS channel (0x95,0x0F).
-        GnssExternal2DgpsChannel(crate::gnss_external_2::DgpsChannel):
-            Data 0x95, 0x0F, of 1,
-            "gnss_external_2.dgps_channel", "DGPS channel",
-            [], {
-                "satellite_id";
-                "age" in ["s"];
-                "range_correction" in ["m"];
-                "range_rate_correction" in ["m/s"];
-                "valid_flags";
-            };
-        /// Clock info 2 (0x95,0x10).
-        GnssExternal2ClockInfo2(crate::gnss_external_2::ClockInfo2):
-            Data 0x95, 0x10, of 1,
-            "gnss_external_2.clock_info_2", "Clock info 2",
-            [], {
-                "bias" in ["s"];
-                "drift" in ["s/s"];
-                "bias_accuracy_estimate" in ["s"];
-                "drift_accuracy_estimate" in ["s/s"];
-                "valid_flags";
-            };
-        /// GPS leap seconds (0x95,0x11).
-        GnssExternal2GpsLeapSeconds(crate::gnss_external_2::GpsLeapSeconds):
-            Data 0x95, 0x11, of 1,
-            "gnss_external_2.gps_leap_seconds", "GPS leap seconds",
-            [], {
-                "leap_seconds" in ["s"];
-                "valid_flags";
-            };
-        /// SBAS info (0x95,0x12).
-        GnssExternal2SbasInfo(crate::gnss_external_2::SbasInfo):
-            Data 0x95, 0x12, of 1,
-            "gnss_external_2.sbas_info", "SBAS info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "sbas_system";
-                "sbas_id";
-                "count" in ["1"];
-                "sbas_status";
-                "valid_flags";
-            };
-        /// SBAS correction (0x95,0x13).
-        GnssExternal2SbasCorrection(crate::gnss_external_2::SbasCorrection):
-            Data 0x95, 0x13, of 1,
-            "gnss_external_2.sbas_correction", "SBAS correction",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "udrei";
-                "pseudorange_correction" in ["m"];
-                "iono_correction" in ["m"];
-                "valid_flags";
-            };
-        /// RF error detection (0x95,0x14).
-        GnssExternal2RfErrorDetection(crate::gnss_external_2::RfErrorDetection):
-            Data 0x95, 0x14, of 1,
-            "gnss_external_2.rf_error_detection", "RF error detection",
-            [], {
-                "rf_band";
-                "jamming_state";
-                "spoofing_state";
-                "reserved";
-                "valid_flags";
-            };
-        /// Satellite status (0x95,0x20).
-        GnssExternal2SatelliteStatus(crate::gnss_external_2::SatelliteStatus):
-            Data 0x95, 0x20, of 1,
-            "gnss_external_2.satellite_status", "Satellite status",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "gnss_id";
-                "satellite_id";
-                "elevation" in ["deg"];
-                "azimuth" in ["deg"];
-                "health";
-                "valid_flags";
-            };
-        /// Raw (0x95,0x22).
-        GnssExternal2Raw(crate::gnss_external_2::Raw):
-            Data 0x95, 0x22, of 1,
-            "gnss_external_2.raw", "Raw",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "receiver_id";
-                "tracking_channel";
-                "gnss_id";
-                "satellite_id";
-                "signal_id";
-                "signal_strength" in ["dB-Hz"];
-                "quality";
-                "pseudorange" in ["m"];
-                "carrier_phase" in ["cycle"];
-                "doppler" in ["Hz"];
-                "range_uncertainty" in ["m"];
-                "phase_uncertainty" in ["cycle"];
-                "doppler_uncertainty" in ["Hz"];
-                "lock_time" in ["s"];
-                "valid_flags";
-            };
-        /// Base station info (0x95,0x30).
-        GnssExternal2BaseStationInfo(crate::gnss_external_2::BaseStationInfo):
-            Data 0x95, 0x30, of 1,
-            "gnss_external_2.base_station_info", "Base station info",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "ecef_position": ["x" "y" "z"] in ["m"] of "ecef";
-                "height" in ["m"];
-                "station_id";
-                "indicators";
-                "valid_flags";
-            };
-        /// RTK corrections status (0x95,0x31).
-        GnssExternal2RtkCorrectionsStatus(crate::gnss_external_2::RtkCorrectionsStatus):
-            Data 0x95, 0x31, of 1,
-            "gnss_external_2.rtk_corrections_status", "RTK corrections status",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "epoch_status";
-                "dongle_status";
-                "gps_correction_latency" in ["s"];
-                "glonass_correction_latency" in ["s"];
-                "galileo_correction_latency" in ["s"];
-                "beidou_correction_latency" in ["s"];
-                "reserved";
-                "valid_flags";
-            };
-        /// GPS ephemeris (0x95,0x61).
-        GnssExternal2GpsEphemeris(crate::gnss_external_2::GpsEphemeris):
-            Data 0x95, 0x61, of 1,
-            "gnss_external_2.gps_ephemeris", "GPS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GLONASS ephemeris (0x95,0x62).
-        GnssExternal2GlonassEphemeris(crate::gnss_external_2::GlonassEphemeris):
-            Data 0x95, 0x62, of 1,
-            "gnss_external_2.glonass_ephemeris", "GLONASS ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "frequency_number";
-                "tk" in ["s"];
-                "tb" in ["s"];
-                "satellite_type";
-                "gamma" in ["1"];
-                "tau_n" in ["s"];
-                "position": ["x" "y" "z"] in ["m"];
-                "velocity": ["x" "y" "z"] in ["m/s"];
-                "accel": ["x" "y" "z"] in ["m/s^2"];
-                "health";
-                "p";
-                "nt" in ["day"];
-                "delta_tau_n" in ["s"];
-                "ft";
-                "en" in ["day"];
-                "p1" in ["min"];
-                "p2";
-                "p3" in ["1"];
-                "p4";
-                "valid_flags";
-            };
-        /// Galileo ephemeris (0x95,0x63).
-        GnssExternal2GalileoEphemeris(crate::gnss_external_2::GalileoEphemeris):
-            Data 0x95, 0x63, of 1,
-            "gnss_external_2.galileo_ephemeris", "Galileo ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// BeiDou ephemeris (0x95,0x64).
-        GnssExternal2BeidouEphemeris(crate::gnss_external_2::BeidouEphemeris):
-            Data 0x95, 0x64, of 1,
-            "gnss_external_2.beidou_ephemeris", "BeiDou ephemeris",
-            [], {
-                "index";
-                "count";
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "satellite_id";
-                "health";
-                "iodc";
-                "iode";
-                "t_oc" in ["s"];
-                "af0" in ["s"];
-                "af1" in ["s/s"];
-                "af2" in ["s/s^2"];
-                "t_gd" in ["s"];
-                "isc_l1ca" in ["s"];
-                "isc_l2c" in ["s"];
-                "t_oe" in ["s"];
-                "a" in ["m"];
-                "a_dot" in ["m/s"];
-                "mean_anomaly" in ["rad"];
-                "delta_mean_motion" in ["rad/s"];
-                "delta_mean_motion_dot" in ["rad/s^2"];
-                "eccentricity" in ["1"];
-                "argument_of_perigee" in ["rad"];
-                "omega" in ["rad"];
-                "omega_dot" in ["rad/s"];
-                "inclination" in ["rad"];
-                "inclination_dot" in ["rad/s"];
-                "c_ic" in ["rad"];
-                "c_is" in ["rad"];
-                "c_uc" in ["rad"];
-                "c_us" in ["rad"];
-                "c_rc" in ["m"];
-                "c_rs" in ["m"];
-                "valid_flags";
-            };
-        /// GPS ionospheric correction (0x95,0x71).
-        GnssExternal2GpsIonoCorrection(crate::gnss_external_2::GpsIonoCorrection):
-            Data 0x95, 0x71, of 1,
-            "gnss_external_2.gps_iono_correction", "GPS ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "valid_flags";
-            };
-        /// Galileo ionospheric correction (0x95,0x73).
-        GnssExternal2GalileoIonoCorrection(crate::gnss_external_2::GalileoIonoCorrection):
-            Data 0x95, 0x73, of 1,
-            "gnss_external_2.galileo_iono_correction", "Galileo ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "disturbance_flags";
-                "valid_flags";
-            };
-        /// BeiDou ionospheric correction (0x95,0x74).
-        GnssExternal2BeidouIonoCorrection(crate::gnss_external_2::BeidouIonoCorrection):
-            Data 0x95, 0x74, of 1,
-            "gnss_external_2.beidou_iono_correction", "BeiDou ionospheric correction",
-            [], {
-                "tow" in ["s"];
-                "week_number" in ["week"];
-                "alpha";
-                "beta";
-                "alpha_correction";
-                "valid_flags";
-            };
-    }
     #[cfg(feature = "system_data")]
-    0xA0..=0xA0 {
+    0xA0 => {
         /// Built-in test (0xA0,0x01).
         SystemDataBuiltInTest(crate::system_data::BuiltInTest):
-            Data 0xA0, 0x01, of 1,
+            Data 0x01, of 1,
             "system_data.built_in_test", "Built-in test",
             [], {
                 "result";
             };
         /// Time sync status (0xA0,0x02).
         SystemDataTimeSyncStatus(crate::system_data::TimeSyncStatus):
-            Data 0xA0, 0x02, of 1,
+            Data 0x02, of 1,
             "system_data.time_sync_status", "Time sync status",
             [], {
                 "time_sync";
@@ -5914,14 +3831,14 @@ registry! {
             };
         /// GPIO state (0xA0,0x03).
         SystemDataGpioState(crate::system_data::GpioState):
-            Data 0xA0, 0x03, of 1,
+            Data 0x03, of 1,
             "system_data.gpio_state", "GPIO state",
             [], {
                 "states";
             };
         /// GPIO analog value (0xA0,0x04).
         SystemDataGpioAnalogValue(crate::system_data::GpioAnalogValue):
-            Data 0xA0, 0x04, of 1,
+            Data 0x04, of 1,
             "system_data.gpio_analog_value", "GPIO analog value",
             [], {
                 "gpio_id";
@@ -5929,31 +3846,31 @@ registry! {
             };
     }
     #[cfg(feature = "shared")]
-    0x80..=0xFF {
+    0x80..=0xFE => {
         /// Event source (0xFF,0xD0).
         SharedEventSource(crate::shared::EventSource):
-            Data 0xFF, 0xD0, of 1,
+            Data 0xD0, of 1,
             "shared.event_source", "Event source",
             [], {
                 "trigger_id";
             };
         /// Ticks (0xFF,0xD1).
         SharedTicks(crate::shared::Ticks):
-            Data 0xFF, 0xD1, of 1,
+            Data 0xD1, of 1,
             "shared.ticks", "Ticks",
             [], {
                 "ticks" in ["1"];
             };
         /// Delta ticks (0xFF,0xD2).
         SharedDeltaTicks(crate::shared::DeltaTicks):
-            Data 0xFF, 0xD2, of 1,
+            Data 0xD2, of 1,
             "shared.delta_ticks", "Delta ticks",
             [], {
                 "ticks" in ["1"];
             };
         /// GPS timestamp (0xFF,0xD3).
         SharedGpsTimestamp(crate::shared::GpsTimestamp):
-            Data 0xFF, 0xD3, of 1,
+            Data 0xD3, of 1,
             "shared.gps_timestamp", "GPS timestamp",
             [], {
                 "tow" in ["s"];
@@ -5962,28 +3879,28 @@ registry! {
             };
         /// Delta time (0xFF,0xD4).
         SharedDeltaTime(crate::shared::DeltaTime):
-            Data 0xFF, 0xD4, of 1,
+            Data 0xD4, of 1,
             "shared.delta_time", "Delta time",
             [], {
                 "seconds" in ["s"];
             };
         /// Reference timestamp (0xFF,0xD5).
         SharedReferenceTimestamp(crate::shared::ReferenceTimestamp):
-            Data 0xFF, 0xD5, of 1,
+            Data 0xD5, of 1,
             "shared.reference_timestamp", "Reference timestamp",
             [], {
                 "nanoseconds" in ["ns"];
             };
         /// Reference time delta (0xFF,0xD6).
         SharedReferenceTimeDelta(crate::shared::ReferenceTimeDelta):
-            Data 0xFF, 0xD6, of 1,
+            Data 0xD6, of 1,
             "shared.reference_time_delta", "Reference time delta",
             [], {
                 "dt_nanos" in ["ns"];
             };
         /// External timestamp (0xFF,0xD7).
         SharedExternalTimestamp(crate::shared::ExternalTimestamp):
-            Data 0xFF, 0xD7, of 1,
+            Data 0xD7, of 1,
             "shared.external_timestamp", "External timestamp",
             [], {
                 "nanoseconds" in ["ns"];
@@ -5991,7 +3908,7 @@ registry! {
             };
         /// External time delta (0xFF,0xD8).
         SharedExternalTimeDelta(crate::shared::ExternalTimeDelta):
-            Data 0xFF, 0xD8, of 1,
+            Data 0xD8, of 1,
             "shared.external_time_delta", "External time delta",
             [], {
                 "dt_nanos" in ["ns"];
@@ -5999,10 +3916,10 @@ registry! {
             };
     }
     #[cfg(all())]
-    0x01..=0x7F {
+    0x01..=0x7F => {
         /// Acknowledge (0x00,0xF1).
         ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
+            Response 0xF1, of 1,
             "protocol.acknowledge", "Acknowledge",
             [], {
                 "command";

@@ -3,7 +3,7 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: Aiding (0x13); 3dm-cv7-gnss-ins: Filter Aiding Measurements.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -212,7 +212,8 @@ constructors! {
 }
 
 field! {
-    FrameConfig: 0x13, 0x01, "aiding.frame_config";
+    FrameConfig: 0x01, "aiding.frame_config";
+    in [0x13];
 }
 
 command! {
@@ -270,7 +271,8 @@ constructors! {
 }
 
 field! {
-    EchoControl: 0x13, 0x1F, "aiding.echo_control";
+    EchoControl: 0x1F, "aiding.echo_control";
+    in [0x13];
 }
 
 command! {
@@ -332,7 +334,8 @@ constructors! {
 }
 
 field! {
-    EcefPosition: 0x13, 0x21, "aiding.ecef_position";
+    EcefPosition: 0x21, "aiding.ecef_position";
+    in [0x13];
 }
 
 command! {
@@ -403,7 +406,8 @@ constructors! {
 }
 
 field! {
-    LlhPosition: 0x13, 0x22, "aiding.llh_position";
+    LlhPosition: 0x22, "aiding.llh_position";
+    in [0x13];
 }
 
 command! {
@@ -458,7 +462,8 @@ constructors! {
 }
 
 field! {
-    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid";
+    HeightAboveEllipsoid: 0x23, "aiding.height_above_ellipsoid";
+    in [0x13];
 }
 
 command! {
@@ -521,7 +526,8 @@ constructors! {
 }
 
 field! {
-    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity";
+    EcefVelocity: 0x28, "aiding.ecef_velocity";
+    in [0x13];
 }
 
 command! {
@@ -584,7 +590,8 @@ constructors! {
 }
 
 field! {
-    NedVelocity: 0x13, 0x29, "aiding.ned_velocity";
+    NedVelocity: 0x29, "aiding.ned_velocity";
+    in [0x13];
 }
 
 command! {
@@ -650,7 +657,8 @@ constructors! {
 }
 
 field! {
-    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity";
+    BodyFrameVelocity: 0x2A, "aiding.body_frame_velocity";
+    in [0x13];
 }
 
 command! {
@@ -707,7 +715,8 @@ constructors! {
 }
 
 field! {
-    TrueHeading: 0x13, 0x31, "aiding.true_heading";
+    TrueHeading: 0x31, "aiding.true_heading";
+    in [0x13];
 }
 
 command! {
@@ -768,7 +777,8 @@ constructors! {
 }
 
 field! {
-    MagneticField: 0x13, 0x32, "aiding.magnetic_field";
+    MagneticField: 0x32, "aiding.magnetic_field";
+    in [0x13];
 }
 
 command! {
@@ -824,7 +834,8 @@ constructors! {
 }
 
 field! {
-    Pressure: 0x13, 0x33, "aiding.pressure";
+    Pressure: 0x33, "aiding.pressure";
+    in [0x13];
 }
 
 command! {
@@ -867,7 +878,8 @@ record! {
 }
 
 field! {
-    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response";
+    FrameConfigResponse: 0x81, "aiding.frame_config_response";
+    in [0x13];
     answers FrameConfig;
 }
 
@@ -887,6 +899,7 @@ record! {
 }
 
 field! {
-    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response";
+    EchoControlResponse: 0x9F, "aiding.echo_control_response";
+    in [0x13];
     answers EchoControl;
 }

@@ -3,7 +3,7 @@
 //!
 //! Source: 3dm-gx5-15: 4.1 Base Commands; 3dm-cv7-gnss-ins: Base (0x01).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -97,7 +97,8 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "base.ping";
+    Ping: 0x01, "base.ping";
+    in [0x01];
 }
 
 command! {
@@ -147,7 +148,8 @@ constructors! {
 }
 
 field! {
-    SetIdle: 0x01, 0x02, "base.set_idle";
+    SetIdle: 0x02, "base.set_idle";
+    in [0x01];
 }
 
 command! {
@@ -194,7 +196,8 @@ constructors! {
 }
 
 field! {
-    GetDeviceInfo: 0x01, 0x03, "base.get_device_info";
+    GetDeviceInfo: 0x03, "base.get_device_info";
+    in [0x01];
 }
 
 command! {
@@ -245,7 +248,8 @@ constructors! {
 }
 
 field! {
-    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors";
+    GetDeviceDescriptors: 0x04, "base.get_device_descriptors";
+    in [0x01];
 }
 
 command! {
@@ -285,7 +289,8 @@ constructors! {
 }
 
 field! {
-    BuiltInTest: 0x01, 0x05, "base.built_in_test";
+    BuiltInTest: 0x05, "base.built_in_test";
+    in [0x01];
 }
 
 command! {
@@ -335,7 +340,8 @@ constructors! {
 }
 
 field! {
-    Resume: 0x01, 0x06, "base.resume";
+    Resume: 0x06, "base.resume";
+    in [0x01];
 }
 
 command! {
@@ -368,7 +374,8 @@ constructors! {
 }
 
 field! {
-    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors";
+    GetExtendedDescriptors: 0x07, "base.get_extended_descriptors";
+    in [0x01];
 }
 
 command! {
@@ -402,7 +409,8 @@ constructors! {
 }
 
 field! {
-    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test";
+    ContinuousBuiltInTest: 0x08, "base.continuous_built_in_test";
+    in [0x01];
 }
 
 command! {
@@ -478,7 +486,8 @@ impl CommSpeed {
 }
 
 field! {
-    CommSpeed: 0x01, 0x09, "base.comm_speed";
+    CommSpeed: 0x09, "base.comm_speed";
+    in [0x01];
 }
 
 command! {
@@ -547,7 +556,8 @@ constructors! {
 }
 
 field! {
-    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update";
+    GpsTimeUpdate: 0x72, "base.gps_time_update";
+    in [0x01];
 }
 
 command! {
@@ -595,7 +605,8 @@ constructors! {
 }
 
 field! {
-    SoftReset: 0x01, 0x7E, "base.soft_reset";
+    SoftReset: 0x7E, "base.soft_reset";
+    in [0x01];
 }
 
 command! {
@@ -636,7 +647,8 @@ record! {
 }
 
 field! {
-    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response";
+    GetDeviceInfoResponse: 0x81, "base.get_device_info_response";
+    in [0x01];
     answers GetDeviceInfo;
 }
 
@@ -675,7 +687,8 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response";
+    GetDeviceDescriptorsResponse: 0x82, "base.get_device_descriptors_response";
+    in [0x01];
     answers GetDeviceDescriptors;
 }
 
@@ -727,7 +740,8 @@ impl BuiltInTestResponse {
 }
 
 field! {
-    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response";
+    BuiltInTestResponse: 0x83, "base.built_in_test_response";
+    in [0x01];
     answers BuiltInTest;
 }
 
@@ -753,7 +767,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response";
+    GpsTimeUpdateWeekNumberResponse: 0x84, "base.gps_time_update_week_number_response";
+    in [0x01];
     answers GpsTimeUpdate;
 }
 
@@ -779,7 +794,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response";
+    GpsTimeUpdateTowResponse: 0x85, "base.gps_time_update_tow_response";
+    in [0x01];
     answers GpsTimeUpdate;
 }
 
@@ -802,7 +818,8 @@ record! {
 }
 
 field! {
-    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response";
+    GetExtendedDescriptorsResponse: 0x86, "base.get_extended_descriptors_response";
+    in [0x01];
     answers GetExtendedDescriptors;
 }
 
@@ -838,7 +855,8 @@ impl ContinuousBuiltInTestResponse {
 }
 
 field! {
-    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response";
+    ContinuousBuiltInTestResponse: 0x88, "base.continuous_built_in_test_response";
+    in [0x01];
     answers ContinuousBuiltInTest;
 }
 
@@ -875,6 +893,7 @@ impl CommSpeedResponse {
 }
 
 field! {
-    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response";
+    CommSpeedResponse: 0x89, "base.comm_speed_response";
+    in [0x01];
     answers CommSpeed;
 }

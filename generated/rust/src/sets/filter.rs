@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-gx5-15: 4.3 Estimation Filter Commands; 3dm-cv7-gnss-ins: Filter (0x0D).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -347,7 +347,8 @@ constructors! {
 }
 
 field! {
-    Reset: 0x0D, 0x01, "filter.reset";
+    Reset: 0x01, "filter.reset";
+    in [0x0D];
 }
 
 command! {
@@ -395,7 +396,8 @@ constructors! {
 }
 
 field! {
-    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude";
+    SetInitialAttitude: 0x02, "filter.set_initial_attitude";
+    in [0x0D];
 }
 
 command! {
@@ -435,7 +437,8 @@ constructors! {
 }
 
 field! {
-    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading";
+    SetInitialHeading: 0x03, "filter.set_initial_heading";
+    in [0x0D];
 }
 
 command! {
@@ -466,7 +469,8 @@ constructors! {
 }
 
 field! {
-    Run: 0x0D, 0x05, "filter.run";
+    Run: 0x05, "filter.run";
+    in [0x0D];
 }
 
 command! {
@@ -522,7 +526,8 @@ constructors! {
 }
 
 field! {
-    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode";
+    VehicleDynamicsMode: 0x10, "filter.vehicle_dynamics_mode";
+    in [0x0D];
 }
 
 command! {
@@ -597,7 +602,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler";
+    SensorToVehicleRotationEuler: 0x11, "filter.sensor_to_vehicle_rotation_euler";
+    in [0x0D];
 }
 
 command! {
@@ -657,7 +663,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset";
+    SensorToVehicleOffset: 0x12, "filter.sensor_to_vehicle_offset";
+    in [0x0D];
 }
 
 command! {
@@ -718,7 +725,8 @@ constructors! {
 }
 
 field! {
-    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset";
+    AntennaOffset: 0x13, "filter.antenna_offset";
+    in [0x0D];
 }
 
 command! {
@@ -794,7 +802,8 @@ constructors! {
 }
 
 field! {
-    EstimationControl: 0x0D, 0x14, "filter.estimation_control";
+    EstimationControl: 0x14, "filter.estimation_control";
+    in [0x0D];
 }
 
 command! {
@@ -854,7 +863,8 @@ constructors! {
 }
 
 field! {
-    GnssSource: 0x0D, 0x15, "filter.gnss_source";
+    GnssSource: 0x15, "filter.gnss_source";
+    in [0x0D];
 }
 
 command! {
@@ -927,7 +937,8 @@ constructors! {
 }
 
 field! {
-    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update";
+    ExternalGnssUpdate: 0x16, "filter.external_gnss_update";
+    in [0x0D];
 }
 
 command! {
@@ -983,7 +994,8 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update";
+    ExternalHeadingUpdate: 0x17, "filter.external_heading_update";
+    in [0x0D];
 }
 
 command! {
@@ -1054,7 +1066,8 @@ constructors! {
 }
 
 field! {
-    HeadingSource: 0x0D, 0x18, "filter.heading_source";
+    HeadingSource: 0x18, "filter.heading_source";
+    in [0x0D];
 }
 
 command! {
@@ -1111,7 +1124,8 @@ constructors! {
 }
 
 field! {
-    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control";
+    AutoInitializationControl: 0x19, "filter.auto_initialization_control";
+    in [0x0D];
 }
 
 command! {
@@ -1170,7 +1184,8 @@ constructors! {
 }
 
 field! {
-    AccelNoise: 0x0D, 0x1A, "filter.accel_noise";
+    AccelNoise: 0x1A, "filter.accel_noise";
+    in [0x0D];
 }
 
 command! {
@@ -1229,7 +1244,8 @@ constructors! {
 }
 
 field! {
-    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise";
+    GyroNoise: 0x1B, "filter.gyro_noise";
+    in [0x0D];
 }
 
 command! {
@@ -1290,7 +1306,8 @@ constructors! {
 }
 
 field! {
-    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model";
+    AccelBiasModel: 0x1C, "filter.accel_bias_model";
+    in [0x0D];
 }
 
 command! {
@@ -1352,7 +1369,8 @@ constructors! {
 }
 
 field! {
-    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model";
+    GyroBiasModel: 0x1D, "filter.gyro_bias_model";
+    in [0x0D];
 }
 
 command! {
@@ -1415,7 +1433,8 @@ constructors! {
 }
 
 field! {
-    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt";
+    AutoZupt: 0x1E, "filter.auto_zupt";
+    in [0x0D];
 }
 
 command! {
@@ -1486,7 +1505,8 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time";
+    ExternalHeadingUpdateWithTime: 0x1F, "filter.external_heading_update_with_time";
+    in [0x0D];
 }
 
 command! {
@@ -1550,7 +1570,8 @@ constructors! {
 }
 
 field! {
-    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt";
+    AutoAngularZupt: 0x20, "filter.auto_angular_zupt";
+    in [0x0D];
 }
 
 command! {
@@ -1613,7 +1634,8 @@ constructors! {
 }
 
 field! {
-    TareOrientation: 0x0D, 0x21, "filter.tare_orientation";
+    TareOrientation: 0x21, "filter.tare_orientation";
+    in [0x0D];
 }
 
 command! {
@@ -1643,7 +1665,8 @@ constructors! {
 }
 
 field! {
-    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt";
+    CommandedZupt: 0x22, "filter.commanded_zupt";
+    in [0x0D];
 }
 
 command! {
@@ -1672,7 +1695,8 @@ constructors! {
 }
 
 field! {
-    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt";
+    CommandedAngularZupt: 0x23, "filter.commanded_angular_zupt";
+    in [0x0D];
 }
 
 command! {
@@ -1747,7 +1771,8 @@ constructors! {
 }
 
 field! {
-    ReferencePosition: 0x0D, 0x26, "filter.reference_position";
+    ReferencePosition: 0x26, "filter.reference_position";
+    in [0x0D];
 }
 
 command! {
@@ -1791,7 +1816,8 @@ constructors! {
 }
 
 field! {
-    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration";
+    MagCaptureAutoCalibration: 0x27, "filter.mag_capture_auto_calibration";
+    in [0x0D];
 }
 
 command! {
@@ -1849,7 +1875,8 @@ constructors! {
 }
 
 field! {
-    GravityNoise: 0x0D, 0x28, "filter.gravity_noise";
+    GravityNoise: 0x28, "filter.gravity_noise";
+    in [0x0D];
 }
 
 command! {
@@ -1906,7 +1933,8 @@ constructors! {
 }
 
 field! {
-    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise";
+    PressureAltitudeNoise: 0x29, "filter.pressure_altitude_noise";
+    in [0x0D];
 }
 
 command! {
@@ -1961,7 +1989,8 @@ constructors! {
 }
 
 field! {
-    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise";
+    HardIronOffsetNoise: 0x2B, "filter.hard_iron_offset_noise";
+    in [0x0D];
 }
 
 command! {
@@ -2016,7 +2045,8 @@ constructors! {
 }
 
 field! {
-    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise";
+    SoftIronMatrixNoise: 0x2C, "filter.soft_iron_matrix_noise";
+    in [0x0D];
 }
 
 command! {
@@ -2071,7 +2101,8 @@ constructors! {
 }
 
 field! {
-    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements";
+    EnableMeasurements: 0x41, "filter.enable_measurements";
+    in [0x0D];
 }
 
 command! {
@@ -2127,7 +2158,8 @@ constructors! {
 }
 
 field! {
-    MagNoise: 0x0D, 0x42, "filter.mag_noise";
+    MagNoise: 0x42, "filter.mag_noise";
+    in [0x0D];
 }
 
 command! {
@@ -2195,7 +2227,8 @@ constructors! {
 }
 
 field! {
-    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source";
+    MagneticDeclinationSource: 0x43, "filter.magnetic_declination_source";
+    in [0x0D];
 }
 
 command! {
@@ -2306,7 +2339,8 @@ setters! {
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement";
+    AccelMagnitudeErrorAdaptiveMeasurement: 0x44, "filter.accel_magnitude_error_adaptive_measurement";
+    in [0x0D];
 }
 
 command! {
@@ -2425,7 +2459,8 @@ constructors! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement";
+    MagMagnitudeErrorAdaptiveMeasurement: 0x45, "filter.mag_magnitude_error_adaptive_measurement";
+    in [0x0D];
 }
 
 command! {
@@ -2514,7 +2549,8 @@ constructors! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement";
+    MagDipAngleErrorAdaptiveMeasurement: 0x46, "filter.mag_dip_angle_error_adaptive_measurement";
+    in [0x0D];
 }
 
 command! {
@@ -2571,7 +2607,8 @@ constructors! {
 }
 
 field! {
-    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding";
+    AltitudeAiding: 0x47, "filter.altitude_aiding";
+    in [0x0D];
 }
 
 command! {
@@ -2625,7 +2662,8 @@ constructors! {
 }
 
 field! {
-    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding";
+    PitchRollAiding: 0x4B, "filter.pitch_roll_aiding";
+    in [0x0D];
 }
 
 command! {
@@ -2688,7 +2726,8 @@ constructors! {
 }
 
 field! {
-    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source";
+    MagneticInclinationSource: 0x4C, "filter.magnetic_inclination_source";
+    in [0x0D];
 }
 
 command! {
@@ -2753,7 +2792,8 @@ constructors! {
 }
 
 field! {
-    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source";
+    MagneticMagnitudeSource: 0x4D, "filter.magnetic_magnitude_source";
+    in [0x0D];
 }
 
 command! {
@@ -2819,7 +2859,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm";
+    SensorToVehicleRotationDcm: 0x4E, "filter.sensor_to_vehicle_rotation_dcm";
+    in [0x0D];
 }
 
 command! {
@@ -2884,7 +2925,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion";
+    SensorToVehicleRotationQuaternion: 0x4F, "filter.sensor_to_vehicle_rotation_quaternion";
+    in [0x0D];
 }
 
 command! {
@@ -2948,7 +2990,8 @@ constructors! {
 }
 
 field! {
-    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable";
+    AidingMeasurementEnable: 0x50, "filter.aiding_measurement_enable";
+    in [0x0D];
 }
 
 command! {
@@ -3020,7 +3063,8 @@ constructors! {
 }
 
 field! {
-    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint";
+    KinematicConstraint: 0x51, "filter.kinematic_constraint";
+    in [0x0D];
 }
 
 command! {
@@ -3140,7 +3184,8 @@ constructors! {
 }
 
 field! {
-    InitializationConfig: 0x0D, 0x52, "filter.initialization_config";
+    InitializationConfig: 0x52, "filter.initialization_config";
+    in [0x0D];
 }
 
 command! {
@@ -3202,7 +3247,8 @@ constructors! {
 }
 
 field! {
-    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options";
+    AdaptiveFilterOptions: 0x53, "filter.adaptive_filter_options";
+    in [0x0D];
 }
 
 command! {
@@ -3262,7 +3308,8 @@ constructors! {
 }
 
 field! {
-    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset";
+    MultiAntennaOffset: 0x54, "filter.multi_antenna_offset";
+    in [0x0D];
 }
 
 command! {
@@ -3336,7 +3383,8 @@ constructors! {
 }
 
 field! {
-    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config";
+    RelativePositionConfig: 0x55, "filter.relative_position_config";
+    in [0x0D];
 }
 
 command! {
@@ -3404,7 +3452,8 @@ constructors! {
 }
 
 field! {
-    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm";
+    ReferencePointLeverArm: 0x56, "filter.reference_point_lever_arm";
+    in [0x0D];
 }
 
 command! {
@@ -3469,7 +3518,8 @@ constructors! {
 }
 
 field! {
-    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement";
+    SpeedMeasurement: 0x60, "filter.speed_measurement";
+    in [0x0D];
 }
 
 command! {
@@ -3529,7 +3579,8 @@ constructors! {
 }
 
 field! {
-    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm";
+    SpeedLeverArm: 0x61, "filter.speed_lever_arm";
+    in [0x0D];
 }
 
 command! {
@@ -3586,7 +3637,8 @@ constructors! {
 }
 
 field! {
-    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control";
+    VerticalGyroConstraintControl: 0x62, "filter.vertical_gyro_constraint_control";
+    in [0x0D];
 }
 
 command! {
@@ -3644,7 +3696,8 @@ constructors! {
 }
 
 field! {
-    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control";
+    WheeledVehicleConstraintControl: 0x63, "filter.wheeled_vehicle_constraint_control";
+    in [0x0D];
 }
 
 command! {
@@ -3708,7 +3761,8 @@ constructors! {
 }
 
 field! {
-    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control";
+    GnssAntennaCalibrationControl: 0x64, "filter.gnss_antenna_calibration_control";
+    in [0x0D];
 }
 
 command! {
@@ -3731,7 +3785,8 @@ record! {
 }
 
 field! {
-    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response";
+    VehicleDynamicsModeResponse: 0x80, "filter.vehicle_dynamics_mode_response";
+    in [0x0D];
     answers VehicleDynamicsMode;
 }
 
@@ -3760,7 +3815,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
+    SensorToVehicleRotationEulerResponse: 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
+    in [0x0D];
     answers SensorToVehicleRotationEuler;
 }
 
@@ -3781,7 +3837,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response";
+    SensorToVehicleOffsetResponse: 0x82, "filter.sensor_to_vehicle_offset_response";
+    in [0x0D];
     answers SensorToVehicleOffset;
 }
 
@@ -3803,7 +3860,8 @@ record! {
 }
 
 field! {
-    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response";
+    AntennaOffsetResponse: 0x83, "filter.antenna_offset_response";
+    in [0x0D];
     answers AntennaOffset;
 }
 
@@ -3828,7 +3886,8 @@ record! {
 }
 
 field! {
-    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response";
+    EstimationControlResponse: 0x84, "filter.estimation_control_response";
+    in [0x0D];
     answers EstimationControl;
 }
 
@@ -3847,7 +3906,8 @@ record! {
 }
 
 field! {
-    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response";
+    GnssSourceResponse: 0x86, "filter.gnss_source_response";
+    in [0x0D];
     answers GnssSource;
 }
 
@@ -3872,7 +3932,8 @@ record! {
 }
 
 field! {
-    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response";
+    HeadingSourceResponse: 0x87, "filter.heading_source_response";
+    in [0x0D];
     answers HeadingSource;
 }
 
@@ -3893,7 +3954,8 @@ record! {
 }
 
 field! {
-    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response";
+    AutoInitializationControlResponse: 0x88, "filter.auto_initialization_control_response";
+    in [0x0D];
     answers AutoInitializationControl;
 }
 
@@ -3915,7 +3977,8 @@ record! {
 }
 
 field! {
-    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response";
+    AccelNoiseResponse: 0x89, "filter.accel_noise_response";
+    in [0x0D];
     answers AccelNoise;
 }
 
@@ -3937,7 +4000,8 @@ record! {
 }
 
 field! {
-    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response";
+    GyroNoiseResponse: 0x8A, "filter.gyro_noise_response";
+    in [0x0D];
     answers GyroNoise;
 }
 
@@ -3962,7 +4026,8 @@ record! {
 }
 
 field! {
-    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response";
+    AccelBiasModelResponse: 0x8B, "filter.accel_bias_model_response";
+    in [0x0D];
     answers AccelBiasModel;
 }
 
@@ -3988,7 +4053,8 @@ record! {
 }
 
 field! {
-    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response";
+    GyroBiasModelResponse: 0x8C, "filter.gyro_bias_model_response";
+    in [0x0D];
     answers GyroBiasModel;
 }
 
@@ -4013,7 +4079,8 @@ record! {
 }
 
 field! {
-    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response";
+    AutoZuptResponse: 0x8D, "filter.auto_zupt_response";
+    in [0x0D];
     answers AutoZupt;
 }
 
@@ -4040,7 +4107,8 @@ record! {
 }
 
 field! {
-    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response";
+    AutoAngularZuptResponse: 0x8E, "filter.auto_angular_zupt_response";
+    in [0x0D];
     answers AutoAngularZupt;
 }
 
@@ -4073,7 +4141,8 @@ record! {
 }
 
 field! {
-    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response";
+    ReferencePositionResponse: 0x90, "filter.reference_position_response";
+    in [0x0D];
     answers ReferencePosition;
 }
 
@@ -4095,7 +4164,8 @@ record! {
 }
 
 field! {
-    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response";
+    GravityNoiseResponse: 0x93, "filter.gravity_noise_response";
+    in [0x0D];
     answers GravityNoise;
 }
 
@@ -4116,7 +4186,8 @@ record! {
 }
 
 field! {
-    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response";
+    PressureAltitudeNoiseResponse: 0x94, "filter.pressure_altitude_noise_response";
+    in [0x0D];
     answers PressureAltitudeNoise;
 }
 
@@ -4137,7 +4208,8 @@ record! {
 }
 
 field! {
-    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response";
+    HardIronOffsetNoiseResponse: 0x96, "filter.hard_iron_offset_noise_response";
+    in [0x0D];
     answers HardIronOffsetNoise;
 }
 
@@ -4158,7 +4230,8 @@ record! {
 }
 
 field! {
-    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response";
+    SoftIronMatrixNoiseResponse: 0x97, "filter.soft_iron_matrix_noise_response";
+    in [0x0D];
     answers SoftIronMatrixNoise;
 }
 
@@ -4179,7 +4252,8 @@ record! {
 }
 
 field! {
-    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response";
+    TareOrientationResponse: 0xA1, "filter.tare_orientation_response";
+    in [0x0D];
     answers TareOrientation;
 }
 
@@ -4197,7 +4271,8 @@ record! {
 }
 
 field! {
-    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response";
+    EnableMeasurementsResponse: 0xB0, "filter.enable_measurements_response";
+    in [0x0D];
     answers EnableMeasurements;
 }
 
@@ -4218,7 +4293,8 @@ record! {
 }
 
 field! {
-    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response";
+    MagNoiseResponse: 0xB1, "filter.mag_noise_response";
+    in [0x0D];
     answers MagNoise;
 }
 
@@ -4244,7 +4320,8 @@ record! {
 }
 
 field! {
-    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response";
+    MagneticDeclinationSourceResponse: 0xB2, "filter.magnetic_declination_source_response";
+    in [0x0D];
     answers MagneticDeclinationSource;
 }
 
@@ -4291,7 +4368,8 @@ record! {
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response";
+    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response";
+    in [0x0D];
     answers AccelMagnitudeErrorAdaptiveMeasurement;
 }
 
@@ -4343,7 +4421,8 @@ record! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
+    MagMagnitudeErrorAdaptiveMeasurementResponse: 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
+    in [0x0D];
     answers MagMagnitudeErrorAdaptiveMeasurement;
 }
 
@@ -4378,7 +4457,8 @@ record! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
+    MagDipAngleErrorAdaptiveMeasurementResponse: 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
+    in [0x0D];
     answers MagDipAngleErrorAdaptiveMeasurement;
 }
 
@@ -4397,7 +4477,8 @@ record! {
 }
 
 field! {
-    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response";
+    AltitudeAidingResponse: 0xB7, "filter.altitude_aiding_response";
+    in [0x0D];
     answers AltitudeAiding;
 }
 
@@ -4416,7 +4497,8 @@ record! {
 }
 
 field! {
-    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response";
+    PitchRollAidingResponse: 0xBB, "filter.pitch_roll_aiding_response";
+    in [0x0D];
     answers PitchRollAiding;
 }
 
@@ -4440,7 +4522,8 @@ record! {
 }
 
 field! {
-    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response";
+    MagneticInclinationSourceResponse: 0xBC, "filter.magnetic_inclination_source_response";
+    in [0x0D];
     answers MagneticInclinationSource;
 }
 
@@ -4464,7 +4547,8 @@ record! {
 }
 
 field! {
-    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response";
+    MagneticMagnitudeSourceResponse: 0xBD, "filter.magnetic_magnitude_source_response";
+    in [0x0D];
     answers MagneticMagnitudeSource;
 }
 
@@ -4484,7 +4568,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
+    SensorToVehicleRotationDcmResponse: 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
+    in [0x0D];
     answers SensorToVehicleRotationDcm;
 }
 
@@ -4504,7 +4589,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response";
+    SensorToVehicleRotationQuaternionResponse: 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response";
+    in [0x0D];
     answers SensorToVehicleRotationQuaternion;
 }
 
@@ -4526,7 +4612,8 @@ record! {
 }
 
 field! {
-    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response";
+    AidingMeasurementEnableResponse: 0xD0, "filter.aiding_measurement_enable_response";
+    in [0x0D];
     answers AidingMeasurementEnable;
 }
 
@@ -4554,7 +4641,8 @@ record! {
 }
 
 field! {
-    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response";
+    KinematicConstraintResponse: 0xD1, "filter.kinematic_constraint_response";
+    in [0x0D];
     answers KinematicConstraint;
 }
 
@@ -4611,7 +4699,8 @@ record! {
 }
 
 field! {
-    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response";
+    InitializationConfigResponse: 0xD2, "filter.initialization_config_response";
+    in [0x0D];
     answers InitializationConfig;
 }
 
@@ -4637,7 +4726,8 @@ record! {
 }
 
 field! {
-    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response";
+    AdaptiveFilterOptionsResponse: 0xD3, "filter.adaptive_filter_options_response";
+    in [0x0D];
     answers AdaptiveFilterOptions;
 }
 
@@ -4662,7 +4752,8 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response";
+    MultiAntennaOffsetResponse: 0xD4, "filter.multi_antenna_offset_response";
+    in [0x0D];
     answers MultiAntennaOffset;
 }
 
@@ -4692,7 +4783,8 @@ record! {
 }
 
 field! {
-    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response";
+    RelativePositionConfigResponse: 0xD5, "filter.relative_position_config_response";
+    in [0x0D];
     answers RelativePositionConfig;
 }
 
@@ -4715,7 +4807,8 @@ record! {
 }
 
 field! {
-    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response";
+    ReferencePointLeverArmResponse: 0xD6, "filter.reference_point_lever_arm_response";
+    in [0x0D];
     answers ReferencePointLeverArm;
 }
 
@@ -4747,7 +4840,8 @@ impl core::default::Default for SpeedLeverArmResponse {
 }
 
 field! {
-    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response";
+    SpeedLeverArmResponse: 0xE1, "filter.speed_lever_arm_response";
+    in [0x0D];
     answers SpeedLeverArm;
 }
 
@@ -4767,7 +4861,8 @@ record! {
 }
 
 field! {
-    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response";
+    VerticalGyroConstraintControlResponse: 0xE2, "filter.vertical_gyro_constraint_control_response";
+    in [0x0D];
     answers VerticalGyroConstraintControl;
 }
 
@@ -4788,7 +4883,8 @@ record! {
 }
 
 field! {
-    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response";
+    WheeledVehicleConstraintControlResponse: 0xE3, "filter.wheeled_vehicle_constraint_control_response";
+    in [0x0D];
     answers WheeledVehicleConstraintControl;
 }
 
@@ -4815,6 +4911,7 @@ record! {
 }
 
 field! {
-    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response";
+    GnssAntennaCalibrationControlResponse: 0xE4, "filter.gnss_antenna_calibration_control_response";
+    in [0x0D];
     answers GnssAntennaCalibrationControl;
 }

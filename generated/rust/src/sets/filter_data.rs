@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-gx5-15: 5.2 Estimation Filter Data; 3dm-cv7-gnss-ins: Filter (0x82).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -387,7 +387,8 @@ record! {
 }
 
 field! {
-    LlhPosition: 0x82, 0x01, "filter_data.llh_position";
+    LlhPosition: 0x01, "filter_data.llh_position";
+    in [0x82];
 }
 
 record! {
@@ -418,7 +419,8 @@ record! {
 }
 
 field! {
-    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity";
+    NedVelocity: 0x02, "filter_data.ned_velocity";
+    in [0x82];
 }
 
 record! {
@@ -446,7 +448,8 @@ record! {
 }
 
 field! {
-    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion";
+    AttitudeQuaternion: 0x03, "filter_data.attitude_quaternion";
+    in [0x82];
 }
 
 record! {
@@ -475,7 +478,8 @@ record! {
 }
 
 field! {
-    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm";
+    AttitudeDcm: 0x04, "filter_data.attitude_dcm";
+    in [0x82];
 }
 
 record! {
@@ -510,7 +514,8 @@ record! {
 }
 
 field! {
-    EulerAngles: 0x82, 0x05, "filter_data.euler_angles";
+    EulerAngles: 0x05, "filter_data.euler_angles";
+    in [0x82];
 }
 
 record! {
@@ -535,7 +540,8 @@ record! {
 }
 
 field! {
-    GyroBias: 0x82, 0x06, "filter_data.gyro_bias";
+    GyroBias: 0x06, "filter_data.gyro_bias";
+    in [0x82];
 }
 
 record! {
@@ -559,7 +565,8 @@ record! {
 }
 
 field! {
-    AccelBias: 0x82, 0x07, "filter_data.accel_bias";
+    AccelBias: 0x07, "filter_data.accel_bias";
+    in [0x82];
 }
 
 record! {
@@ -591,7 +598,8 @@ record! {
 }
 
 field! {
-    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty";
+    LlhPositionUncertainty: 0x08, "filter_data.llh_position_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -623,7 +631,8 @@ record! {
 }
 
 field! {
-    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty";
+    NedVelocityUncertainty: 0x09, "filter_data.ned_velocity_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -659,7 +668,8 @@ record! {
 }
 
 field! {
-    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty";
+    EulerAnglesUncertainty: 0x0A, "filter_data.euler_angles_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -685,7 +695,8 @@ record! {
 }
 
 field! {
-    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty";
+    GyroBiasUncertainty: 0x0B, "filter_data.gyro_bias_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -709,7 +720,8 @@ record! {
 }
 
 field! {
-    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty";
+    AccelBiasUncertainty: 0x0C, "filter_data.accel_bias_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -735,7 +747,8 @@ record! {
 }
 
 field! {
-    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel";
+    LinearAccel: 0x0D, "filter_data.linear_accel";
+    in [0x82];
 }
 
 record! {
@@ -761,7 +774,8 @@ record! {
 }
 
 field! {
-    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate";
+    CompAngularRate: 0x0E, "filter_data.comp_angular_rate";
+    in [0x82];
 }
 
 record! {
@@ -786,7 +800,8 @@ record! {
 }
 
 field! {
-    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude";
+    Wgs84GravityMagnitude: 0x0F, "filter_data.wgs84_gravity_magnitude";
+    in [0x82];
 }
 
 record! {
@@ -881,7 +896,8 @@ impl Status {
 }
 
 field! {
-    Status: 0x82, 0x10, "filter_data.status";
+    Status: 0x10, "filter_data.status";
+    in [0x82];
 }
 
 record! {
@@ -915,7 +931,8 @@ record! {
 }
 
 field! {
-    Timestamp: 0x82, 0x11, "filter_data.timestamp";
+    Timestamp: 0x11, "filter_data.timestamp";
+    in [0x82];
 }
 
 record! {
@@ -940,7 +957,8 @@ record! {
 }
 
 field! {
-    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty";
+    QuaternionAttitudeUncertainty: 0x12, "filter_data.quaternion_attitude_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -966,7 +984,8 @@ record! {
 }
 
 field! {
-    GravityVector: 0x82, 0x13, "filter_data.gravity_vector";
+    GravityVector: 0x13, "filter_data.gravity_vector";
+    in [0x82];
 }
 
 record! {
@@ -1000,7 +1019,8 @@ record! {
 }
 
 field! {
-    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state";
+    HeadingUpdateState: 0x14, "filter_data.heading_update_state";
+    in [0x82];
 }
 
 record! {
@@ -1041,7 +1061,8 @@ record! {
 }
 
 field! {
-    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model";
+    MagneticModel: 0x15, "filter_data.magnetic_model";
+    in [0x82];
 }
 
 record! {
@@ -1065,7 +1086,8 @@ record! {
 }
 
 field! {
-    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor";
+    GyroScaleFactor: 0x16, "filter_data.gyro_scale_factor";
+    in [0x82];
 }
 
 record! {
@@ -1089,7 +1111,8 @@ record! {
 }
 
 field! {
-    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor";
+    AccelScaleFactor: 0x17, "filter_data.accel_scale_factor";
+    in [0x82];
 }
 
 record! {
@@ -1113,7 +1136,8 @@ record! {
 }
 
 field! {
-    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty";
+    GyroScaleFactorUncertainty: 0x18, "filter_data.gyro_scale_factor_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1137,7 +1161,8 @@ record! {
 }
 
 field! {
-    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty";
+    AccelScaleFactorUncertainty: 0x19, "filter_data.accel_scale_factor_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1161,7 +1186,8 @@ record! {
 }
 
 field! {
-    MagBias: 0x82, 0x1A, "filter_data.mag_bias";
+    MagBias: 0x1A, "filter_data.mag_bias";
+    in [0x82];
 }
 
 record! {
@@ -1185,7 +1211,8 @@ record! {
 }
 
 field! {
-    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty";
+    MagBiasUncertainty: 0x1B, "filter_data.mag_bias_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1211,7 +1238,8 @@ record! {
 }
 
 field! {
-    CompAccel: 0x82, 0x1C, "filter_data.comp_accel";
+    CompAccel: 0x1C, "filter_data.comp_accel";
+    in [0x82];
 }
 
 record! {
@@ -1252,7 +1280,8 @@ record! {
 }
 
 field! {
-    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere";
+    StandardAtmosphere: 0x20, "filter_data.standard_atmosphere";
+    in [0x82];
 }
 
 record! {
@@ -1280,7 +1309,8 @@ record! {
 }
 
 field! {
-    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude";
+    PressureAltitude: 0x21, "filter_data.pressure_altitude";
+    in [0x82];
 }
 
 record! {
@@ -1305,7 +1335,8 @@ record! {
 }
 
 field! {
-    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude";
+    DensityAltitude: 0x22, "filter_data.density_altitude";
+    in [0x82];
 }
 
 record! {
@@ -1333,7 +1364,8 @@ record! {
 }
 
 field! {
-    MagOffset: 0x82, 0x25, "filter_data.mag_offset";
+    MagOffset: 0x25, "filter_data.mag_offset";
+    in [0x82];
 }
 
 record! {
@@ -1361,7 +1393,8 @@ record! {
 }
 
 field! {
-    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix";
+    MagMatrix: 0x26, "filter_data.mag_matrix";
+    in [0x82];
 }
 
 record! {
@@ -1386,7 +1419,8 @@ record! {
 }
 
 field! {
-    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty";
+    MagOffsetUncertainty: 0x28, "filter_data.mag_offset_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1411,7 +1445,8 @@ record! {
 }
 
 field! {
-    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty";
+    MagMatrixUncertainty: 0x29, "filter_data.mag_matrix_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1437,7 +1472,8 @@ record! {
 }
 
 field! {
-    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix";
+    MagCovarianceMatrix: 0x2A, "filter_data.mag_covariance_matrix";
+    in [0x82];
 }
 
 record! {
@@ -1462,7 +1498,8 @@ record! {
 }
 
 field! {
-    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector";
+    MagResidualVector: 0x2C, "filter_data.mag_residual_vector";
+    in [0x82];
 }
 
 record! {
@@ -1489,7 +1526,8 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction";
+    AntennaOffsetCorrection: 0x30, "filter_data.antenna_offset_correction";
+    in [0x82];
 }
 
 record! {
@@ -1513,7 +1551,8 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty";
+    AntennaOffsetCorrectionUncertainty: 0x31, "filter_data.antenna_offset_correction_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1544,7 +1583,8 @@ record! {
 }
 
 field! {
-    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction";
+    ClockCorrection: 0x32, "filter_data.clock_correction";
+    in [0x82];
 }
 
 record! {
@@ -1575,7 +1615,8 @@ record! {
 }
 
 field! {
-    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty";
+    ClockCorrectionUncertainty: 0x33, "filter_data.clock_correction_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1603,7 +1644,8 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction";
+    MultiAntennaOffsetCorrection: 0x34, "filter_data.multi_antenna_offset_correction";
+    in [0x82];
 }
 
 record! {
@@ -1629,7 +1671,8 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
+    MultiAntennaOffsetCorrectionUncertainty: 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1654,7 +1697,8 @@ record! {
 }
 
 field! {
-    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty";
+    EcefPositionUncertainty: 0x36, "filter_data.ecef_position_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1679,7 +1723,8 @@ record! {
 }
 
 field! {
-    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty";
+    EcefVelocityUncertainty: 0x37, "filter_data.ecef_velocity_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1703,7 +1748,8 @@ record! {
 }
 
 field! {
-    EcefPosition: 0x82, 0x40, "filter_data.ecef_position";
+    EcefPosition: 0x40, "filter_data.ecef_position";
+    in [0x82];
 }
 
 record! {
@@ -1727,7 +1773,8 @@ record! {
 }
 
 field! {
-    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity";
+    EcefVelocity: 0x41, "filter_data.ecef_velocity";
+    in [0x82];
 }
 
 record! {
@@ -1752,7 +1799,8 @@ record! {
 }
 
 field! {
-    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position";
+    NedRelativePosition: 0x42, "filter_data.ned_relative_position";
+    in [0x82];
 }
 
 record! {
@@ -1782,7 +1830,8 @@ record! {
 }
 
 field! {
-    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status";
+    GnssPositionAidingStatus: 0x43, "filter_data.gnss_position_aiding_status";
+    in [0x82];
 }
 
 record! {
@@ -1812,7 +1861,8 @@ record! {
 }
 
 field! {
-    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status";
+    GnssAttitudeAidingStatus: 0x44, "filter_data.gnss_attitude_aiding_status";
+    in [0x82];
 }
 
 record! {
@@ -1848,7 +1898,8 @@ record! {
 }
 
 field! {
-    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status";
+    HeadingAidingStatus: 0x45, "filter_data.heading_aiding_status";
+    in [0x82];
 }
 
 record! {
@@ -1884,7 +1935,8 @@ record! {
 }
 
 field! {
-    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary";
+    AidingMeasurementSummary: 0x46, "filter_data.aiding_measurement_summary";
+    in [0x82];
 }
 
 record! {
@@ -1909,7 +1961,8 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error";
+    OdometerScaleFactorError: 0x47, "filter_data.odometer_scale_factor_error";
+    in [0x82];
 }
 
 record! {
@@ -1932,7 +1985,8 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
+    OdometerScaleFactorErrorUncertainty: 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
+    in [0x82];
 }
 
 record! {
@@ -1969,7 +2023,8 @@ record! {
 }
 
 field! {
-    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status";
+    GnssDualAntennaStatus: 0x49, "filter_data.gnss_dual_antenna_status";
+    in [0x82];
 }
 
 record! {
@@ -1997,7 +2052,8 @@ record! {
 }
 
 field! {
-    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error";
+    AidingFrameConfigError: 0x50, "filter_data.aiding_frame_config_error";
+    in [0x82];
 }
 
 record! {
@@ -2025,5 +2081,6 @@ record! {
 }
 
 field! {
-    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty";
+    AidingFrameConfigErrorUncertainty: 0x51, "filter_data.aiding_frame_config_error_uncertainty";
+    in [0x82];
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: GNSS (0x0E).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -129,7 +129,8 @@ constructors! {
 }
 
 field! {
-    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info";
+    ReceiverInfo: 0x01, "gnss.receiver_info";
+    in [0x0E];
 }
 
 command! {
@@ -212,7 +213,8 @@ constructors! {
 }
 
 field! {
-    SignalConfig: 0x0E, 0x02, "gnss.signal_config";
+    SignalConfig: 0x02, "gnss.signal_config";
+    in [0x0E];
 }
 
 command! {
@@ -271,7 +273,8 @@ constructors! {
 }
 
 field! {
-    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config";
+    RtkDongleConfig: 0x10, "gnss.rtk_dongle_config";
+    in [0x0E];
 }
 
 command! {
@@ -380,7 +383,8 @@ constructors! {
 }
 
 field! {
-    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config";
+    SpartnConfig: 0x20, "gnss.spartn_config";
+    in [0x0E];
 }
 
 command! {
@@ -409,7 +413,8 @@ record! {
 }
 
 field! {
-    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response";
+    ReceiverInfoResponse: 0x81, "gnss.receiver_info_response";
+    in [0x0E];
     answers ReceiverInfo;
 }
 
@@ -436,7 +441,8 @@ record! {
 }
 
 field! {
-    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response";
+    SignalConfigResponse: 0x82, "gnss.signal_config_response";
+    in [0x0E];
     answers SignalConfig;
 }
 
@@ -459,7 +465,8 @@ record! {
 }
 
 field! {
-    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response";
+    RtkDongleConfigResponse: 0x90, "gnss.rtk_dongle_config_response";
+    in [0x0E];
     answers RtkDongleConfig;
 }
 
@@ -514,6 +521,7 @@ record! {
 }
 
 field! {
-    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response";
+    SpartnConfigResponse: 0xA0, "gnss.spartn_config_response";
+    in [0x0E];
     answers SpartnConfig;
 }

@@ -1,692 +1,1586 @@
-//! GNSS data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
+//! GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95): Measurements and status of GNSS receivers. Each
+//! receiver has a descriptor set; all have the same fields.
 //!
-//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
-//! GNSS data sets the same fields.
-//!
-//! Source: mip-sdk-4: Gnss Data (0x81).
+//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK gives all GNSS
+//! data sets the same fields.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
-/// The number of the descriptor set.
-pub const SET: u8 = 0x81;
+/// GNSS data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
+///
+/// Source: mip-sdk-4: Gnss Data (0x81).
+pub const GNSS_DATA: u8 = 0x81;
+
+/// GNSS receiver 1 data (0x91): Measurements and status of the first internal GNSS receiver.
+///
+/// Source: 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91).
+pub const GNSS_1: u8 = 0x91;
+
+/// GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
+///
+/// Source: 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92).
+pub const GNSS_2: u8 = 0x92;
+
+/// GNSS corrections data (0x93): RTK corrections that the device receives. Data is sent as it is
+/// received.
+///
+/// Source: 3dm-cv7-gnss-ins: GNSS Corrections (0x93).
+pub const GNSS_CORRECTIONS: u8 = 0x93;
+
+/// External GNSS data (0x94): Data that an external GNSS receiver sends to the device in NMEA
+/// sentences. A field may need several sentences; a value that NMEA does not provide is not valid.
+/// Times are those of the sentences.
+///
+/// Source: 3dm-cv7-gnss-ins: GNSS External (0x94); 3dm-cv7-gnss-ins: NMEA Input.
+pub const GNSS_EXTERNAL: u8 = 0x94;
+
+/// External GNSS data 2 (0x95): Data that a second external GNSS receiver sends to the device.
+///
+/// Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial;
+/// the SDK calls the set GNSS 5.
+///
+/// Source: mip-sdk-4: Gnss5 Data (0x95).
+pub const GNSS_EXTERNAL_2: u8 = 0x95;
+
+bitfield! {
+    /// Which parts of the position are valid.
+    LlhPositionFlags: u16 {
+        /// Latitude and longitude. Bit 0.
+        LAT_LON: bool = 0,
+            lat_lon, set_lat_lon, with_lat_lon;
+        /// Height above the ellipsoid. Bit 1.
+        ELLIPSOID_HEIGHT: bool = 1,
+            ellipsoid_height, set_ellipsoid_height, with_ellipsoid_height;
+        /// Height above mean sea level. Bit 2.
+        MSL_HEIGHT: bool = 2,
+            msl_height, set_msl_height, with_msl_height;
+        /// Horizontal accuracy. Bit 3.
+        HORIZONTAL_ACCURACY: bool = 3,
+            horizontal_accuracy, set_horizontal_accuracy, with_horizontal_accuracy;
+        /// Vertical accuracy. Bit 4.
+        VERTICAL_ACCURACY: bool = 4,
+            vertical_accuracy, set_vertical_accuracy, with_vertical_accuracy;
+        /// All of them. Bits 0 to 4. Overlaps other bits.
+        FLAGS: u8 = 0..=4,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the position are valid.
+    EcefPositionFlags: u16 {
+        /// Position. Bit 0.
+        POSITION: bool = 0,
+            position, set_position, with_position;
+        /// Accuracy of the position. Bit 1.
+        POSITION_ACCURACY: bool = 1,
+            position_accuracy, set_position_accuracy, with_position_accuracy;
+        /// All of them. Bits 0 to 1. Overlaps other bits.
+        FLAGS: u8 = 0..=1,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the velocity are valid.
+    NedVelocityFlags: u16 {
+        /// Velocity vector. Bit 0.
+        VELOCITY: bool = 0,
+            velocity, set_velocity, with_velocity;
+        /// Speed in space. Bit 1.
+        SPEED_3D: bool = 1,
+            speed_3d, set_speed_3d, with_speed_3d;
+        /// Speed over ground. Bit 2.
+        GROUND_SPEED: bool = 2,
+            ground_speed, set_ground_speed, with_ground_speed;
+        /// Heading. Bit 3.
+        HEADING: bool = 3,
+            heading, set_heading, with_heading;
+        /// Accuracy of the speed. Bit 4.
+        SPEED_ACCURACY: bool = 4,
+            speed_accuracy, set_speed_accuracy, with_speed_accuracy;
+        /// Accuracy of the heading. Bit 5.
+        HEADING_ACCURACY: bool = 5,
+            heading_accuracy, set_heading_accuracy, with_heading_accuracy;
+        /// All of them. Bits 0 to 5. Overlaps other bits.
+        FLAGS: u8 = 0..=5,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the velocity are valid.
+    EcefVelocityFlags: u16 {
+        /// Velocity. Bit 0.
+        VELOCITY: bool = 0,
+            velocity, set_velocity, with_velocity;
+        /// Accuracy of the velocity. Bit 1.
+        VELOCITY_ACCURACY: bool = 1,
+            velocity_accuracy, set_velocity_accuracy, with_velocity_accuracy;
+        /// All of them. Bits 0 to 1. Overlaps other bits.
+        FLAGS: u8 = 0..=1,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which dilutions of precision are valid.
+    DopFlags: u16 {
+        /// Geometric. Bit 0.
+        GDOP: bool = 0,
+            gdop, set_gdop, with_gdop;
+        /// Position. Bit 1.
+        PDOP: bool = 1,
+            pdop, set_pdop, with_pdop;
+        /// Horizontal. Bit 2.
+        HDOP: bool = 2,
+            hdop, set_hdop, with_hdop;
+        /// Vertical. Bit 3.
+        VDOP: bool = 3,
+            vdop, set_vdop, with_vdop;
+        /// Time. Bit 4.
+        TDOP: bool = 4,
+            tdop, set_tdop, with_tdop;
+        /// Northing. Bit 5.
+        NDOP: bool = 5,
+            ndop, set_ndop, with_ndop;
+        /// Easting. Bit 6.
+        EDOP: bool = 6,
+            edop, set_edop, with_edop;
+        /// All of them. Bits 0 to 6. Overlaps other bits.
+        FLAGS: u8 = 0..=6,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the UTC time are valid.
+    UtcTimeFlags: u16 {
+        /// Date and time come from GNSS. Bit 0.
+        GNSS_DATE_TIME: bool = 0,
+            gnss_date_time, set_gnss_date_time, with_gnss_date_time;
+        /// The leap seconds between GPS time and UTC are known. Bit 1.
+        LEAP_SECONDS_KNOWN: bool = 1,
+            leap_seconds_known, set_leap_seconds_known, with_leap_seconds_known;
+        /// All of them. Bits 0 to 1. Overlaps other bits.
+        FLAGS: u8 = 0..=1,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the time are valid.
+    GpsTimeFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// All of them. Bits 0 to 1. Overlaps other bits.
+        FLAGS: u8 = 0..=1,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which clock parameters are valid.
+    ClockInfoFlags: u16 {
+        /// Bias. Bit 0.
+        BIAS: bool = 0,
+            bias, set_bias, with_bias;
+        /// Drift. Bit 1.
+        DRIFT: bool = 1,
+            drift, set_drift, with_drift;
+        /// Accuracy. Bit 2.
+        ACCURACY_ESTIMATE: bool = 2,
+            accuracy_estimate, set_accuracy_estimate, with_accuracy_estimate;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// What the fix uses.
+    FixFlags: u16 {
+        /// Satellite based augmentation. Bit 0.
+        SBAS_USED: bool = 0,
+            sbas_used, set_sbas_used, with_sbas_used;
+        /// Differential corrections. Bit 1.
+        DGNSS_USED: bool = 1,
+            dgnss_used, set_dgnss_used, with_dgnss_used;
+    }
+}
+
+bitfield! {
+    /// Which parts of the fix information are valid.
+    FixInfoFlags: u16 {
+        /// Type of the fix. Bit 0.
+        FIX_TYPE: bool = 0,
+            fix_type, set_fix_type, with_fix_type;
+        /// Number of satellites. Bit 1.
+        NUM_SV: bool = 1,
+            num_sv, set_num_sv, with_num_sv;
+        /// Fix flags. Bit 2.
+        FIX_FLAGS: bool = 2,
+            fix_flags, set_fix_flags, with_fix_flags;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// State of a satellite.
+    SvFlags: u16 {
+        /// The position fix uses it. Bit 0.
+        USED_FOR_NAVIGATION: bool = 0,
+            used_for_navigation, set_used_for_navigation, with_used_for_navigation;
+        /// It is healthy. Bit 1.
+        HEALTHY: bool = 1,
+            healthy, set_healthy, with_healthy;
+    }
+}
+
+bitfield! {
+    /// Which parts of the satellite info are valid.
+    SvInfoFlags: u16 {
+        /// Channel. Bit 0.
+        CHANNEL: bool = 0,
+            channel, set_channel, with_channel;
+        /// Satellite. Bit 1.
+        SATELLITE_ID: bool = 1,
+            satellite_id, set_satellite_id, with_satellite_id;
+        /// Carrier to noise density ratio. Bit 2.
+        CARRIER_NOISE_RATIO: bool = 2,
+            carrier_noise_ratio, set_carrier_noise_ratio, with_carrier_noise_ratio;
+        /// Azimuth. Bit 3.
+        AZIMUTH: bool = 3,
+            azimuth, set_azimuth, with_azimuth;
+        /// Elevation. Bit 4.
+        ELEVATION: bool = 4,
+            elevation, set_elevation, with_elevation;
+        /// State of the satellite. Bit 5.
+        SV_FLAGS: bool = 5,
+            sv_flags, set_sv_flags, with_sv_flags;
+        /// All of them. Bits 0 to 5. Overlaps other bits.
+        FLAGS: u8 = 0..=5,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// State of the receiver.
+    ReceiverState: u8 {
+        /// Off.
+        OFF = 0, "off";
+        /// On.
+        ON = 1, "on";
+        /// Not known.
+        UNKNOWN = 2, "unknown";
+    }
+}
+
+open_enum! {
+    /// State of the antenna.
+    AntennaState: u8 {
+        /// Being initialized.
+        INIT = 1, "init";
+        /// Short circuit.
+        SHORT = 2, "short";
+        /// Open circuit, no antenna.
+        OPEN = 3, "open";
+        /// Good.
+        GOOD = 4, "good";
+        /// Not known.
+        UNKNOWN = 5, "unknown";
+    }
+}
+
+open_enum! {
+    /// Supply of the antenna.
+    AntennaPower: u8 {
+        /// Off.
+        OFF = 0, "off";
+        /// On.
+        ON = 1, "on";
+        /// Not known.
+        UNKNOWN = 2, "unknown";
+    }
+}
+
+bitfield! {
+    /// Which parts of the hardware status are valid.
+    HardwareStatusFlags: u16 {
+        /// State of the receiver. Bit 0.
+        SENSOR_STATE: bool = 0,
+            sensor_state, set_sensor_state, with_sensor_state;
+        /// State of the antenna. Bit 1.
+        ANTENNA_STATE: bool = 1,
+            antenna_state, set_antenna_state, with_antenna_state;
+        /// Supply of the antenna. Bit 2.
+        ANTENNA_POWER: bool = 2,
+            antenna_power, set_antenna_power, with_antenna_power;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the state of the corrections are valid.
+    DgpsInfoFlags: u16 {
+        /// Age. Bit 0.
+        AGE: bool = 0,
+            age, set_age, with_age;
+        /// Number of the base station. Bit 1.
+        BASE_STATION_ID: bool = 1,
+            base_station_id, set_base_station_id, with_base_station_id;
+        /// State of the base station. Bit 2.
+        BASE_STATION_STATUS: bool = 2,
+            base_station_status, set_base_station_status, with_base_station_status;
+        /// Number of channels. Bit 3.
+        NUM_CHANNELS: bool = 3,
+            num_channels, set_num_channels, with_num_channels;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of a differential correction are valid.
+    DgpsChannelFlags: u16 {
+        /// Satellite. Bit 0.
+        SATELLITE_ID: bool = 0,
+            satellite_id, set_satellite_id, with_satellite_id;
+        /// Age. Bit 1.
+        AGE: bool = 1,
+            age, set_age, with_age;
+        /// Correction of the range. Bit 2.
+        RANGE_CORRECTION: bool = 2,
+            range_correction, set_range_correction, with_range_correction;
+        /// Correction of the range rate. Bit 3.
+        RANGE_RATE_CORRECTION: bool = 3,
+            range_rate_correction, set_range_rate_correction, with_range_rate_correction;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which clock parameters are valid.
+    ClockInfo2Flags: u16 {
+        /// Bias. Bit 0.
+        BIAS: bool = 0,
+            bias, set_bias, with_bias;
+        /// Drift. Bit 1.
+        DRIFT: bool = 1,
+            drift, set_drift, with_drift;
+        /// Accuracy of the bias. Bit 2.
+        BIAS_ACCURACY: bool = 2,
+            bias_accuracy, set_bias_accuracy, with_bias_accuracy;
+        /// Accuracy of the drift. Bit 3.
+        DRIFT_ACCURACY: bool = 3,
+            drift_accuracy, set_drift_accuracy, with_drift_accuracy;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Whether the leap seconds are valid. Bit 0 is not used.
+    GpsLeapSecondsFlags: u16 {
+        /// Leap seconds. Bit 1.
+        LEAP_SECONDS: bool = 1,
+            leap_seconds, set_leap_seconds, with_leap_seconds;
+    }
+}
+
+open_enum! {
+    /// Satellite based augmentation system.
+    SbasSystem: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// North America.
+        WAAS = 1, "waas";
+        /// Europe.
+        EGNOS = 2, "egnos";
+        /// Japan.
+        MSAS = 3, "msas";
+        /// India.
+        GAGAN = 4, "gagan";
+    }
+}
+
+bitfield! {
+    /// What the SBAS service offers.
+    SbasStatus: u8 {
+        /// Ranging is available. Bit 0.
+        RANGE_AVAILABLE: bool = 0,
+            range_available, set_range_available, with_range_available;
+        /// Corrections are available. Bit 1.
+        CORRECTIONS_AVAILABLE: bool = 1,
+            corrections_available, set_corrections_available, with_corrections_available;
+        /// Integrity information is available. Bit 2.
+        INTEGRITY_AVAILABLE: bool = 2,
+            integrity_available, set_integrity_available, with_integrity_available;
+        /// The service is in test mode. Bit 3.
+        TEST_MODE: bool = 3,
+            test_mode, set_test_mode, with_test_mode;
+    }
+}
+
+bitfield! {
+    /// Which parts of the SBAS status are valid.
+    SbasInfoFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// System. Bit 2.
+        SBAS_SYSTEM: bool = 2,
+            sbas_system, set_sbas_system, with_sbas_system;
+        /// Satellite. Bit 3.
+        SBAS_ID: bool = 3,
+            sbas_id, set_sbas_id, with_sbas_id;
+        /// Number of corrections. Bit 4.
+        COUNT: bool = 4,
+            count, set_count, with_count;
+        /// Status of the service. Bit 5.
+        SBAS_STATUS: bool = 5,
+            sbas_status, set_sbas_status, with_sbas_status;
+        /// All of them. Bits 0 to 5. Overlaps other bits.
+        FLAGS: u8 = 0..=5,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of an SBAS correction are valid.
+    SbasCorrectionFlags: u16 {
+        /// Indicator of the range error. Bit 0.
+        UDREI: bool = 0,
+            udrei, set_udrei, with_udrei;
+        /// Correction of the pseudorange. Bit 1.
+        PSEUDORANGE_CORRECTION: bool = 1,
+            pseudorange_correction, set_pseudorange_correction, with_pseudorange_correction;
+        /// Correction of the ionospheric delay. Bit 2.
+        IONO_CORRECTION: bool = 2,
+            iono_correction, set_iono_correction, with_iono_correction;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// Frequency band of GNSS signals.
+    RfBand: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// L1.
+        L1 = 1, "l1";
+        /// L2.
+        L2 = 2, "l2";
+        /// L5.
+        L5 = 5, "l5";
+    }
+}
+
+open_enum! {
+    /// How much the reception is jammed.
+    JammingState: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Not at all.
+        NONE = 1, "none";
+        /// In part.
+        PARTIAL = 2, "partial";
+        /// Badly.
+        SIGNIFICANT = 3, "significant";
+    }
+}
+
+open_enum! {
+    /// How much the signals are spoofed.
+    SpoofingState: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Not at all.
+        NONE = 1, "none";
+        /// In part.
+        PARTIAL = 2, "partial";
+        /// Badly.
+        SIGNIFICANT = 3, "significant";
+    }
+}
+
+bitfield! {
+    /// Which parts of the detection are valid.
+    RfErrorDetectionFlags: u16 {
+        /// Band. Bit 0.
+        RF_BAND: bool = 0,
+            rf_band, set_rf_band, with_rf_band;
+        /// Jamming. Bit 1.
+        JAMMING_STATE: bool = 1,
+            jamming_state, set_jamming_state, with_jamming_state;
+        /// Spoofing. Bit 2.
+        SPOOFING_STATE: bool = 2,
+            spoofing_state, set_spoofing_state, with_spoofing_state;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the satellite status are valid.
+    SatelliteStatusFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Constellation. Bit 2.
+        GNSS_ID: bool = 2,
+            gnss_id, set_gnss_id, with_gnss_id;
+        /// Satellite. Bit 3.
+        SATELLITE_ID: bool = 3,
+            satellite_id, set_satellite_id, with_satellite_id;
+        /// Elevation. Bit 4.
+        ELEVATION: bool = 4,
+            elevation, set_elevation, with_elevation;
+        /// Azimuth. Bit 5.
+        AZIMUTH: bool = 5,
+            azimuth, set_azimuth, with_azimuth;
+        /// Health. Bit 6.
+        HEALTH: bool = 6,
+            health, set_health, with_health;
+        /// All of them. Bits 0 to 6. Overlaps other bits.
+        FLAGS: u8 = 0..=6,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// How well a signal is tracked.
+    SignalQuality: u8 {
+        /// No signal.
+        NONE = 0, "none";
+        /// The signal is being searched for.
+        SEARCHING = 1, "searching";
+        /// The signal is acquired.
+        ACQUIRED = 2, "acquired";
+        /// The signal is found but cannot be used.
+        UNUSABLE = 3, "unusable";
+        /// Locked in time.
+        TIME_LOCKED = 4, "time_locked";
+        /// Fully locked.
+        FULLY_LOCKED = 5, "fully_locked";
+    }
+}
+
+bitfield! {
+    /// Which parts of the observation are valid.
+    RawFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Receiver or reference station. Bit 2.
+        RECEIVER_ID: bool = 2,
+            receiver_id, set_receiver_id, with_receiver_id;
+        /// Tracking channel. Bit 3.
+        TRACKING_CHANNEL: bool = 3,
+            tracking_channel, set_tracking_channel, with_tracking_channel;
+        /// Constellation. Bit 4.
+        GNSS_ID: bool = 4,
+            gnss_id, set_gnss_id, with_gnss_id;
+        /// Satellite. Bit 5.
+        SATELLITE_ID: bool = 5,
+            satellite_id, set_satellite_id, with_satellite_id;
+        /// Signal. Bit 6.
+        SIGNAL_ID: bool = 6,
+            signal_id, set_signal_id, with_signal_id;
+        /// Signal strength. Bit 7.
+        SIGNAL_STRENGTH: bool = 7,
+            signal_strength, set_signal_strength, with_signal_strength;
+        /// Signal quality. Bit 8.
+        QUALITY: bool = 8,
+            quality, set_quality, with_quality;
+        /// Pseudorange. Bit 9.
+        PSEUDORANGE: bool = 9,
+            pseudorange, set_pseudorange, with_pseudorange;
+        /// Carrier phase. Bit 10.
+        CARRIER_PHASE: bool = 10,
+            carrier_phase, set_carrier_phase, with_carrier_phase;
+        /// Doppler shift. Bit 11.
+        DOPPLER: bool = 11,
+            doppler, set_doppler, with_doppler;
+        /// Uncertainty of the pseudorange. Bit 12.
+        RANGE_UNCERTAINTY: bool = 12,
+            range_uncertainty, set_range_uncertainty, with_range_uncertainty;
+        /// Uncertainty of the carrier phase. Bit 13.
+        CARRIER_PHASE_UNCERTAINTY: bool = 13,
+            carrier_phase_uncertainty, set_carrier_phase_uncertainty, with_carrier_phase_uncertainty;
+        /// Uncertainty of the Doppler shift. Bit 14.
+        DOPPLER_UNCERTAINTY: bool = 14,
+            doppler_uncertainty, set_doppler_uncertainty, with_doppler_uncertainty;
+        /// Lock time. Bit 15.
+        LOCK_TIME: bool = 15,
+            lock_time, set_lock_time, with_lock_time;
+        /// All of them. Bits 0 to 15. Overlaps other bits.
+        FLAGS: u16 = 0..=15,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Properties of a base station, as its RTCM message gives them.
+    BaseStationIndicators: u16 {
+        /// GPS is supported. Bit 0.
+        GPS: bool = 0,
+            gps, set_gps, with_gps;
+        /// GLONASS is supported. Bit 1.
+        GLONASS: bool = 1,
+            glonass, set_glonass, with_glonass;
+        /// Galileo is supported. Bit 2.
+        GALILEO: bool = 2,
+            galileo, set_galileo, with_galileo;
+        /// BeiDou is supported. Bit 3.
+        BEIDOU: bool = 3,
+            beidou, set_beidou, with_beidou;
+        /// Reference station indicator. Bit 4.
+        REFERENCE_STATION: bool = 4,
+            reference_station, set_reference_station, with_reference_station;
+        /// Single receiver oscillator indicator. Bit 5.
+        SINGLE_RECEIVER: bool = 5,
+            single_receiver, set_single_receiver, with_single_receiver;
+        /// First bit of the quarter cycle indicator. Bit 6.
+        QUARTER_CYCLE_BIT1: bool = 6,
+            quarter_cycle_bit1, set_quarter_cycle_bit1, with_quarter_cycle_bit1;
+        /// Second bit of the quarter cycle indicator. Bit 7.
+        QUARTER_CYCLE_BIT2: bool = 7,
+            quarter_cycle_bit2, set_quarter_cycle_bit2, with_quarter_cycle_bit2;
+        /// Quarter cycle indicator. Bits 6 to 7. Overlaps other bits.
+        QUARTER_CYCLE_BITS: u8 = 6..=7,
+            quarter_cycle_bits, set_quarter_cycle_bits, with_quarter_cycle_bits;
+    }
+}
+
+bitfield! {
+    /// Which values are valid.
+    BaseStationInfoFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Position. Bit 2.
+        ECEF_POSITION: bool = 2,
+            ecef_position, set_ecef_position, with_ecef_position;
+        /// Antenna height. Bit 3.
+        HEIGHT: bool = 3,
+            height, set_height, with_height;
+        /// Station. Bit 4.
+        STATION_ID: bool = 4,
+            station_id, set_station_id, with_station_id;
+        /// Indicators. Bit 5.
+        INDICATORS: bool = 5,
+            indicators, set_indicators, with_indicators;
+        /// All of them. Bits 0 to 5. Overlaps other bits.
+        FLAGS: u8 = 0..=5,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Corrections received during an epoch.
+    RtkEpochStatus: u16 {
+        /// Antenna location. Bit 0.
+        ANTENNA_LOCATION_RECEIVED: bool = 0,
+            antenna_location_received, set_antenna_location_received, with_antenna_location_received;
+        /// Antenna description. Bit 1.
+        ANTENNA_DESCRIPTION_RECEIVED: bool = 1,
+            antenna_description_received, set_antenna_description_received, with_antenna_description_received;
+        /// GPS corrections. Bit 2.
+        GPS_RECEIVED: bool = 2,
+            gps_received, set_gps_received, with_gps_received;
+        /// GLONASS corrections. Bit 3.
+        GLONASS_RECEIVED: bool = 3,
+            glonass_received, set_glonass_received, with_glonass_received;
+        /// Galileo corrections. Bit 4.
+        GALILEO_RECEIVED: bool = 4,
+            galileo_received, set_galileo_received, with_galileo_received;
+        /// BeiDou corrections. Bit 5.
+        BEIDOU_RECEIVED: bool = 5,
+            beidou_received, set_beidou_received, with_beidou_received;
+        /// GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6.
+        USING_GPS_MSM_MESSAGES: bool = 6,
+            using_gps_msm_messages, set_using_gps_msm_messages, with_using_gps_msm_messages;
+        /// GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012.
+        /// Bit 7.
+        USING_GLONASS_MSM_MESSAGES: bool = 7,
+            using_glonass_msm_messages, set_using_glonass_msm_messages, with_using_glonass_msm_messages;
+        /// The status of the dongle could not be read. Bit 8.
+        DONGLE_STATUS_READ_FAILED: bool = 8,
+            dongle_status_read_failed, set_dongle_status_read_failed, with_dongle_status_read_failed;
+    }
+}
+
+bitfield! {
+    /// Which values are valid.
+    RtkCorrectionsStatusFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Epoch status. Bit 2.
+        EPOCH_STATUS: bool = 2,
+            epoch_status, set_epoch_status, with_epoch_status;
+        /// Status of the dongle. Bit 3.
+        DONGLE_STATUS: bool = 3,
+            dongle_status, set_dongle_status, with_dongle_status;
+        /// Latency of GPS corrections. Bit 4.
+        GPS_LATENCY: bool = 4,
+            gps_latency, set_gps_latency, with_gps_latency;
+        /// Latency of GLONASS corrections. Bit 5.
+        GLONASS_LATENCY: bool = 5,
+            glonass_latency, set_glonass_latency, with_glonass_latency;
+        /// Latency of Galileo corrections. Bit 6.
+        GALILEO_LATENCY: bool = 6,
+            galileo_latency, set_galileo_latency, with_galileo_latency;
+        /// Latency of BeiDou corrections. Bit 7.
+        BEIDOU_LATENCY: bool = 7,
+            beidou_latency, set_beidou_latency, with_beidou_latency;
+        /// All of them. Bits 0 to 7. Overlaps other bits.
+        FLAGS: u8 = 0..=7,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// What an ephemeris of GPS, Galileo or BeiDou holds.
+    EphemerisFlags: u16 {
+        /// The ephemeris is valid. Bit 0.
+        EPHEMERIS: bool = 0,
+            ephemeris, set_ephemeris, with_ephemeris;
+        /// The data of the modernized navigation message are included. Bit 1.
+        MODERN_DATA: bool = 1,
+            modern_data, set_modern_data, with_modern_data;
+        /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
+        ISC_L5: bool = 2,
+            isc_l5, set_isc_l5, with_isc_l5;
+        /// All of them. Bits 0 to 2. Overlaps other bits.
+        FLAGS: u8 = 0..=2,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// Generation of a GLONASS satellite.
+    GlonassSatelliteType: u8 {
+        /// GLONASS.
+        GLONASS = 0, "glonass";
+        /// GLONASS-M.
+        GLONASS_M = 1, "glonass_m";
+    }
+}
+
+bitfield! {
+    /// Whether the ephemeris is valid.
+    GlonassEphemerisFlags: u16 {
+        /// The ephemeris is valid. Bit 0.
+        EPHEMERIS: bool = 0,
+            ephemeris, set_ephemeris, with_ephemeris;
+        /// All of them. Bit 0. Overlaps other bits.
+        FLAGS: bool = 0,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    GpsIonoCorrectionFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Coefficients alpha. Bit 2.
+        ALPHA: bool = 2,
+            alpha, set_alpha, with_alpha;
+        /// Coefficients beta. Bit 3.
+        BETA: bool = 3,
+            beta, set_beta, with_beta;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    GalileoIonoCorrectionFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Coefficients. Bit 2.
+        ALPHA: bool = 2,
+            alpha, set_alpha, with_alpha;
+        /// Storm flags. Bit 3.
+        DISTURBANCE_FLAGS: bool = 3,
+            disturbance_flags, set_disturbance_flags, with_disturbance_flags;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    BeidouIonoCorrectionFlags: u16 {
+        /// Time of week. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// Week number. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Coefficients alpha. Bit 2.
+        ALPHA: bool = 2,
+            alpha, set_alpha, with_alpha;
+        /// Coefficients beta. Bit 3.
+        BETA: bool = 3,
+            beta, set_beta, with_beta;
+        /// Further coefficients. Bit 4.
+        ALPHA_CORRECTION: bool = 4,
+            alpha_correction, set_alpha_correction, with_alpha_correction;
+        /// All of them. Bits 0 to 4. Overlaps other bits.
+        FLAGS: u8 = 0..=4,
+            flags, set_flags, with_flags;
+    }
+}
 
 record! {
-    /// GNSS LLH position (0x81,0x03).
+    /// GNSS LLH position (0x03).
     ///
     /// GNSS position as latitude, longitude and height.
     ///
-    /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
-    /// `pos_llh`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_llh`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position
+    /// (0x92,0x03); 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
     #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if
-        /// [`valid_flags.lat_lon`](crate::gnss_1::LlhPositionFlags::lat_lon) is set.
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
+        /// set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if
-        /// [`valid_flags.lat_lon`](crate::gnss_1::LlhPositionFlags::lat_lon) is set.
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
+        /// set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if
-        /// [`valid_flags.ellipsoid_height`](crate::gnss_1::LlhPositionFlags::ellipsoid_height) is
-        /// set.
+        /// [`valid_flags.ellipsoid_height`](LlhPositionFlags::ellipsoid_height) is set.
         pub ellipsoid_height: f64,
         /// Height above mean sea level.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.msl_height`](crate::gnss_1::LlhPositionFlags::msl_height) is set.
+        /// Unit: m. Valid if [`valid_flags.msl_height`](LlhPositionFlags::msl_height) is set.
         pub msl_height: f64,
         /// Horizontal accuracy.
         ///
         /// Unit: m. Valid if
-        /// [`valid_flags.horizontal_accuracy`](crate::gnss_1::LlhPositionFlags::horizontal_accuracy)
-        /// is set.
+        /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
         pub horizontal_accuracy: f32,
         /// Vertical accuracy.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.vertical_accuracy`](crate::gnss_1::LlhPositionFlags::vertical_accuracy) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy)
+        /// is set.
         pub vertical_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::LlhPositionFlags,
+        pub valid_flags: LlhPositionFlags,
     }
 }
 
 field! {
-    LlhPosition: 0x81, 0x03, "gnss_data.llh_position";
+    LlhPosition: 0x03, "gnss_data.llh_position";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GNSS ECEF position (0x81,0x04).
+    /// GNSS ECEF position (0x04).
     ///
     /// GNSS position in Earth-fixed coordinates.
     ///
-    /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `pos_ecef`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04); 3dm-cv7-gnss-ins: GNSS ECEF
+    /// Position (0x92,0x04).
     #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// Position.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-        /// [`valid_flags.position`](crate::gnss_1::EcefPositionFlags::position) is set.
+        /// [`valid_flags.position`](EcefPositionFlags::position) is set.
         pub position: types::Vector3d,
         /// Accuracy of the position.
         ///
         /// Unit: m. Valid if
-        /// [`valid_flags.position_accuracy`](crate::gnss_1::EcefPositionFlags::position_accuracy)
-        /// is set.
+        /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         pub position_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::EcefPositionFlags,
+        pub valid_flags: EcefPositionFlags,
     }
 }
 
 field! {
-    EcefPosition: 0x81, 0x04, "gnss_data.ecef_position";
+    EcefPosition: 0x04, "gnss_data.ecef_position";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// NED velocity (0x81,0x05).
+    /// NED velocity (0x05).
     ///
     /// GNSS velocity in the local level frame.
     ///
-    /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
-    /// `vel_ned`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ned`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05); 3dm-cv7-gnss-ins: NED Velocity
+    /// (0x92,0x05); 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
     #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// Velocity.
         ///
         /// Elements: north, east, down. Unit: m/s. Frame: ned. Valid if
-        /// [`valid_flags.velocity`](crate::gnss_1::NedVelocityFlags::velocity) is set.
+        /// [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
         pub velocity: types::Ned3f,
         /// Speed in space.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.speed_3d`](crate::gnss_1::NedVelocityFlags::speed_3d)
-        /// is set.
+        /// Unit: m/s. Valid if [`valid_flags.speed_3d`](NedVelocityFlags::speed_3d) is set.
         pub speed: f32,
         /// Speed over ground.
         ///
-        /// Unit: m/s. Valid if
-        /// [`valid_flags.ground_speed`](crate::gnss_1::NedVelocityFlags::ground_speed) is set.
+        /// Unit: m/s. Valid if [`valid_flags.ground_speed`](NedVelocityFlags::ground_speed) is set.
         pub ground_speed: f32,
         /// Direction of the motion over ground.
         ///
-        /// Unit: deg. Frame: ned. Valid if
-        /// [`valid_flags.heading`](crate::gnss_1::NedVelocityFlags::heading) is set.
+        /// Unit: deg. Frame: ned. Valid if [`valid_flags.heading`](NedVelocityFlags::heading) is
+        /// set.
         pub heading: f32,
         /// Accuracy of the speed.
         ///
-        /// Unit: m/s. Valid if
-        /// [`valid_flags.speed_accuracy`](crate::gnss_1::NedVelocityFlags::speed_accuracy) is set.
+        /// Unit: m/s. Valid if [`valid_flags.speed_accuracy`](NedVelocityFlags::speed_accuracy) is
+        /// set.
         pub speed_accuracy: f32,
         /// Accuracy of the heading.
         ///
-        /// Unit: deg. Valid if
-        /// [`valid_flags.heading_accuracy`](crate::gnss_1::NedVelocityFlags::heading_accuracy) is
-        /// set.
+        /// Unit: deg. Valid if [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy)
+        /// is set.
         pub heading_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::NedVelocityFlags,
+        pub valid_flags: NedVelocityFlags,
     }
 }
 
 field! {
-    NedVelocity: 0x81, 0x05, "gnss_data.ned_velocity";
+    NedVelocity: 0x05, "gnss_data.ned_velocity";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GNSS ECEF velocity (0x81,0x06).
+    /// GNSS ECEF velocity (0x06).
     ///
     /// GNSS velocity in Earth-fixed coordinates.
     ///
-    /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `vel_ecef`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// May be supported by [3DM-CV7-INS](crate::devices::CV7_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06).
+    /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity
+    /// (0x91,0x06); 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
     #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// Velocity.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-        /// [`valid_flags.velocity`](crate::gnss_1::EcefVelocityFlags::velocity) is set.
+        /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
         pub velocity: types::Vector3f,
         /// Accuracy of the velocity.
         ///
         /// Unit: m/s. Valid if
-        /// [`valid_flags.velocity_accuracy`](crate::gnss_1::EcefVelocityFlags::velocity_accuracy)
-        /// is set.
+        /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         pub velocity_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::EcefVelocityFlags,
+        pub valid_flags: EcefVelocityFlags,
     }
 }
 
 field! {
-    EcefVelocity: 0x81, 0x06, "gnss_data.ecef_velocity";
+    EcefVelocity: 0x06, "gnss_data.ecef_velocity";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// DOP (0x81,0x07).
+    /// DOP (0x07).
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07); 3dm-cv7-gnss-ins: DOP (0x92,0x07).
     #[derive(Copy, Default)]
     pub struct Dop {
         /// Geometric dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.gdop`](crate::gnss_1::DopFlags::gdop) is set.
+        /// Unit: 1. Valid if [`valid_flags.gdop`](DopFlags::gdop) is set.
         pub gdop: f32,
         /// Position dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.pdop`](crate::gnss_1::DopFlags::pdop) is set.
+        /// Unit: 1. Valid if [`valid_flags.pdop`](DopFlags::pdop) is set.
         pub pdop: f32,
         /// Horizontal dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.hdop`](crate::gnss_1::DopFlags::hdop) is set.
+        /// Unit: 1. Valid if [`valid_flags.hdop`](DopFlags::hdop) is set.
         pub hdop: f32,
         /// Vertical dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.vdop`](crate::gnss_1::DopFlags::vdop) is set.
+        /// Unit: 1. Valid if [`valid_flags.vdop`](DopFlags::vdop) is set.
         pub vdop: f32,
         /// Time dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.tdop`](crate::gnss_1::DopFlags::tdop) is set.
+        /// Unit: 1. Valid if [`valid_flags.tdop`](DopFlags::tdop) is set.
         pub tdop: f32,
         /// Northing dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ndop`](crate::gnss_1::DopFlags::ndop) is set.
+        /// Unit: 1. Valid if [`valid_flags.ndop`](DopFlags::ndop) is set.
         pub ndop: f32,
         /// Easting dilution.
         ///
-        /// Unit: 1. Valid if [`valid_flags.edop`](crate::gnss_1::DopFlags::edop) is set.
+        /// Unit: 1. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         pub edop: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::DopFlags,
+        pub valid_flags: DopFlags,
     }
 }
 
 field! {
-    Dop: 0x81, 0x07, "gnss_data.dop";
+    Dop: 0x07, "gnss_data.dop";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// UTC time (0x81,0x08).
+    /// UTC time (0x08).
     ///
     /// Coordinated universal time as the receiver knows it.
     ///
-    /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08); 3dm-cv7-gnss-ins: UTC Time (0x92,0x08);
+    /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UtcTime {
         /// Year.
         ///
-        /// Valid if [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is
-        /// set.
+        /// Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub year: u16,
         /// Month.
         ///
-        /// Range: 1 to 12. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// Range: 1 to 12. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
+        /// set.
         pub month: u8,
         /// Day of the month.
         ///
-        /// Range: 1 to 31. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// Range: 1 to 31. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
+        /// set.
         pub day: u8,
         /// Hour.
         ///
-        /// Range: 0 to 23. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// Range: 0 to 23. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
+        /// set.
         pub hour: u8,
         /// Minute.
         ///
-        /// Range: 0 to 59. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// Range: 0 to 59. Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is
+        /// set.
         pub min: u8,
         /// Second.
         ///
         /// Unit: s. Range: 0 to 59. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub sec: u8,
         /// Fraction of the second.
         ///
         /// Unit: ms. Range: 0 to 999. Valid if
-        /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
+        /// [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
         /// Which parts of the time are valid.
-        pub valid_flags: crate::gnss_1::UtcTimeFlags,
+        pub valid_flags: UtcTimeFlags,
     }
 }
 
 field! {
-    UtcTime: 0x81, 0x08, "gnss_data.utc_time";
+    UtcTime: 0x08, "gnss_data.utc_time";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GPS time (0x81,0x09).
+    /// GPS time (0x09).
     ///
     /// GPS time as the receiver knows it.
     ///
-    /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09); 3dm-cv7-gnss-ins: GPS Time (0x92,0x09).
     #[derive(Copy, Default)]
     pub struct GpsTime {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::GpsTimeFlags::tow) is set.
+        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimeFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::GpsTimeFlags::week_number) is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimeFlags::week_number) is set.
         pub week_number: u16,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::GpsTimeFlags,
+        pub valid_flags: GpsTimeFlags,
     }
 }
 
 field! {
-    GpsTime: 0x81, 0x09, "gnss_data.gps_time";
+    GpsTime: 0x09, "gnss_data.gps_time";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Clock info (0x81,0x0A).
+    /// Clock info (0x0A).
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). May be supported by
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
     /// from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
     #[derive(Copy, Default)]
     pub struct ClockInfo {
         /// Bias of the clock.
         ///
-        /// Unit: s. Valid if [`valid_flags.bias`](crate::gnss_1::ClockInfoFlags::bias) is set.
+        /// Unit: s. Valid if [`valid_flags.bias`](ClockInfoFlags::bias) is set.
         pub bias: f64,
         /// Drift of the clock.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.drift`](crate::gnss_1::ClockInfoFlags::drift) is set.
+        /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfoFlags::drift) is set.
         pub drift: f64,
         /// Estimated accuracy.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.accuracy_estimate`](crate::gnss_1::ClockInfoFlags::accuracy_estimate) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate)
+        /// is set.
         pub accuracy_estimate: f64,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::ClockInfoFlags,
+        pub valid_flags: ClockInfoFlags,
     }
 }
 
 field! {
-    ClockInfo: 0x81, 0x0A, "gnss_data.clock_info";
+    ClockInfo: 0x0A, "gnss_data.clock_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Fix info (0x81,0x0B).
+    /// Fix info (0x0B).
     ///
     /// Type of the position fix and what it is based on.
     ///
-    /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B); 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B);
+    /// 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct FixInfo {
         /// Type of the fix.
         ///
-        /// Valid if [`valid_flags.fix_type`](crate::gnss_1::FixInfoFlags::fix_type) is set.
+        /// Valid if [`valid_flags.fix_type`](FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
         /// Number of satellites used in the fix.
         ///
-        /// Unit: 1. Valid if [`valid_flags.num_sv`](crate::gnss_1::FixInfoFlags::num_sv) is set.
+        /// Unit: 1. Valid if [`valid_flags.num_sv`](FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
         /// What the fix uses.
         ///
-        /// Valid if [`valid_flags.fix_flags`](crate::gnss_1::FixInfoFlags::fix_flags) is set.
-        pub fix_flags: crate::gnss_1::FixFlags,
+        /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
+        pub fix_flags: FixFlags,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::FixInfoFlags,
+        pub valid_flags: FixInfoFlags,
     }
 }
 
 field! {
-    FixInfo: 0x81, 0x0B, "gnss_data.fix_info";
+    FixInfo: 0x0B, "gnss_data.fix_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Satellite info (0x81,0x0C).
+    /// Satellite info (0x0C).
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether a packet holds one of these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Sv Info (0x81,0x0C).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct SvInfo {
         /// Channel of the receiver that tracks the satellite.
         ///
-        /// Valid if [`valid_flags.channel`](crate::gnss_1::SvInfoFlags::channel) is set.
+        /// Valid if [`valid_flags.channel`](SvInfoFlags::channel) is set.
         pub channel: u8,
         /// Number of the satellite.
         ///
-        /// Valid if [`valid_flags.satellite_id`](crate::gnss_1::SvInfoFlags::satellite_id) is set.
+        /// Valid if [`valid_flags.satellite_id`](SvInfoFlags::satellite_id) is set.
         pub satellite_id: u8,
         /// Carrier to noise density ratio.
         ///
         /// Unit: dB-Hz. Valid if
-        /// [`valid_flags.carrier_noise_ratio`](crate::gnss_1::SvInfoFlags::carrier_noise_ratio) is
-        /// set.
+        /// [`valid_flags.carrier_noise_ratio`](SvInfoFlags::carrier_noise_ratio) is set.
         pub carrier_noise_ratio: u16,
         /// Azimuth.
         ///
-        /// Unit: deg. Valid if [`valid_flags.azimuth`](crate::gnss_1::SvInfoFlags::azimuth) is set.
+        /// Unit: deg. Valid if [`valid_flags.azimuth`](SvInfoFlags::azimuth) is set.
         pub azimuth: i16,
         /// Elevation.
         ///
-        /// Unit: deg. Valid if [`valid_flags.elevation`](crate::gnss_1::SvInfoFlags::elevation) is
-        /// set.
+        /// Unit: deg. Valid if [`valid_flags.elevation`](SvInfoFlags::elevation) is set.
         pub elevation: i16,
         /// State of the satellite.
         ///
-        /// Valid if [`valid_flags.sv_flags`](crate::gnss_1::SvInfoFlags::sv_flags) is set.
-        pub sv_flags: crate::gnss_1::SvFlags,
+        /// Valid if [`valid_flags.sv_flags`](SvInfoFlags::sv_flags) is set.
+        pub sv_flags: SvFlags,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::SvInfoFlags,
+        pub valid_flags: SvInfoFlags,
     }
 }
 
 field! {
-    SvInfo: 0x81, 0x0C, "gnss_data.sv_info";
+    SvInfo: 0x0C, "gnss_data.sv_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GNSS hardware status (0x81,0x0D).
+    /// GNSS hardware status (0x0D).
     ///
     /// State of the receiver and of its antenna.
     ///
-    /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-    /// `hw_status`. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `hw_status`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D); 3dm-cv7-gnss-ins: GNSS Hardware
+    /// Status (0x92,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
         /// State of the receiver.
         ///
-        /// Valid if [`valid_flags.sensor_state`](crate::gnss_1::HardwareStatusFlags::sensor_state)
-        /// is set.
-        pub receiver_state: crate::gnss_1::ReceiverState,
+        /// Valid if [`valid_flags.sensor_state`](HardwareStatusFlags::sensor_state) is set.
+        pub receiver_state: ReceiverState,
         /// State of the antenna.
         ///
-        /// Valid if
-        /// [`valid_flags.antenna_state`](crate::gnss_1::HardwareStatusFlags::antenna_state) is set.
-        pub antenna_state: crate::gnss_1::AntennaState,
+        /// Valid if [`valid_flags.antenna_state`](HardwareStatusFlags::antenna_state) is set.
+        pub antenna_state: AntennaState,
         /// Supply of the antenna.
         ///
-        /// Valid if
-        /// [`valid_flags.antenna_power`](crate::gnss_1::HardwareStatusFlags::antenna_power) is set.
-        pub antenna_power: crate::gnss_1::AntennaPower,
+        /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
+        pub antenna_power: AntennaPower,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::HardwareStatusFlags,
+        pub valid_flags: HardwareStatusFlags,
     }
 }
 
 field! {
-    HardwareStatus: 0x81, 0x0D, "gnss_data.hardware_status";
+    HardwareStatus: 0x0D, "gnss_data.hardware_status";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// DGPS info (0x81,0x0E).
+    /// DGPS info (0x0E).
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Supported by
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
     /// The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor.
     /// It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats and
-    /// u16. It is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree
-    /// with its own valid flags (age, base station id, base station status, number of channels).
+    /// u16. It is that of [`DgpsChannel`] and does not agree with its own valid flags (age, base
+    /// station id, base station status, number of channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
     #[derive(Copy, Default)]
     pub struct DgpsInfo {
         /// Age of the corrections.
         ///
-        /// Unit: s. Valid if [`valid_flags.age`](crate::gnss_1::DgpsInfoFlags::age) is set.
-        /// Uncertain: The unit, which follows from
-        /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel).
+        /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
+        /// which follows from [`DgpsChannel`].
         pub age: f32,
         /// Number of the base station.
         ///
-        /// Valid if [`valid_flags.base_station_id`](crate::gnss_1::DgpsInfoFlags::base_station_id)
-        /// is set.
+        /// Valid if [`valid_flags.base_station_id`](DgpsInfoFlags::base_station_id) is set.
         pub base_station_id: i16,
         /// State of the base station: 0 to 5 are factors of the user differential range error,
         /// which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working.
         ///
-        /// Valid if
-        /// [`valid_flags.base_station_status`](crate::gnss_1::DgpsInfoFlags::base_station_status)
-        /// is set.
+        /// Valid if [`valid_flags.base_station_status`](DgpsInfoFlags::base_station_status) is set.
         pub base_station_status: i16,
         /// Number of channels that have corrections.
         ///
-        /// Unit: 1. Valid if
-        /// [`valid_flags.num_channels`](crate::gnss_1::DgpsInfoFlags::num_channels) is set.
+        /// Unit: 1. Valid if [`valid_flags.num_channels`](DgpsInfoFlags::num_channels) is set.
         pub num_channels: u16,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::DgpsInfoFlags,
+        pub valid_flags: DgpsInfoFlags,
     }
 }
 
 field! {
-    DgpsInfo: 0x81, 0x0E, "gnss_data.dgps_info";
+    DgpsInfo: 0x0E, "gnss_data.dgps_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// DGPS channel (0x81,0x0F).
+    /// DGPS channel (0x0F).
     ///
     /// Differential correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Supported by
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
     /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
     #[derive(Copy, Default)]
     pub struct DgpsChannel {
         /// Number of the satellite.
         ///
-        /// Valid if [`valid_flags.satellite_id`](crate::gnss_1::DgpsChannelFlags::satellite_id) is
-        /// set.
+        /// Valid if [`valid_flags.satellite_id`](DgpsChannelFlags::satellite_id) is set.
         pub satellite_id: u8,
         /// Age of the correction.
         ///
-        /// Unit: s. Valid if [`valid_flags.age`](crate::gnss_1::DgpsChannelFlags::age) is set.
+        /// Unit: s. Valid if [`valid_flags.age`](DgpsChannelFlags::age) is set.
         pub age: f32,
         /// Correction of the range.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.range_correction`](crate::gnss_1::DgpsChannelFlags::range_correction) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.range_correction`](DgpsChannelFlags::range_correction)
+        /// is set.
         pub range_correction: f32,
         /// Correction of the range rate.
         ///
         /// Unit: m/s. Valid if
-        /// [`valid_flags.range_rate_correction`](crate::gnss_1::DgpsChannelFlags::range_rate_correction)
-        /// is set.
+        /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
         pub range_rate_correction: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::DgpsChannelFlags,
+        pub valid_flags: DgpsChannelFlags,
     }
 }
 
 field! {
-    DgpsChannel: 0x81, 0x0F, "gnss_data.dgps_channel";
+    DgpsChannel: 0x0F, "gnss_data.dgps_channel";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Clock info 2 (0x81,0x10).
+    /// Clock info 2 (0x10).
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// - It supersedes clock info.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10); 3dm-cv7-gnss-ins: Clock Info 2
+    /// (0x92,0x10).
     #[derive(Copy, Default)]
     pub struct ClockInfo2 {
         /// Bias of the clock.
         ///
-        /// Unit: s. Valid if [`valid_flags.bias`](crate::gnss_1::ClockInfo2Flags::bias) is set.
+        /// Unit: s. Valid if [`valid_flags.bias`](ClockInfo2Flags::bias) is set.
         pub bias: f64,
         /// Drift of the clock.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.drift`](crate::gnss_1::ClockInfo2Flags::drift) is set.
+        /// Unit: s/s. Valid if [`valid_flags.drift`](ClockInfo2Flags::drift) is set.
         pub drift: f64,
         /// Accuracy of the bias.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.bias_accuracy`](crate::gnss_1::ClockInfo2Flags::bias_accuracy) is set.
+        /// Unit: s. Valid if [`valid_flags.bias_accuracy`](ClockInfo2Flags::bias_accuracy) is set.
         pub bias_accuracy_estimate: f64,
         /// Accuracy of the drift.
         ///
-        /// Unit: s/s. Valid if
-        /// [`valid_flags.drift_accuracy`](crate::gnss_1::ClockInfo2Flags::drift_accuracy) is set.
+        /// Unit: s/s. Valid if [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is
+        /// set.
         pub drift_accuracy_estimate: f64,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::ClockInfo2Flags,
+        pub valid_flags: ClockInfo2Flags,
     }
 }
 
 field! {
-    ClockInfo2: 0x81, 0x10, "gnss_data.clock_info_2";
+    ClockInfo2: 0x10, "gnss_data.clock_info_2";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GPS leap seconds (0x81,0x11).
+    /// GPS leap seconds (0x11).
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11); 3dm-cv7-gnss-ins: GPS Leap Seconds
+    /// (0x92,0x11).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsLeapSeconds {
         /// GPS time minus UTC.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.leap_seconds`](crate::gnss_1::GpsLeapSecondsFlags::leap_seconds) is set.
+        /// Unit: s. Valid if [`valid_flags.leap_seconds`](GpsLeapSecondsFlags::leap_seconds) is
+        /// set.
         pub leap_seconds: u8,
         /// Whether the value is valid.
-        pub valid_flags: crate::gnss_1::GpsLeapSecondsFlags,
+        pub valid_flags: GpsLeapSecondsFlags,
     }
 }
 
 field! {
-    GpsLeapSeconds: 0x81, 0x11, "gnss_data.gps_leap_seconds";
+    GpsLeapSeconds: 0x11, "gnss_data.gps_leap_seconds";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// SBAS info (0x81,0x12).
+    /// SBAS info (0x12).
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Not listed in any device
-    /// profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12); 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12).
     #[derive(Copy, Default)]
     pub struct SbasInfo {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::SbasInfoFlags::tow) is set.
+        /// Unit: s. Valid if [`valid_flags.tow`](SbasInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::SbasInfoFlags::week_number) is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](SbasInfoFlags::week_number) is set.
         pub week_number: u16,
         /// System in use.
         ///
-        /// Valid if [`valid_flags.sbas_system`](crate::gnss_1::SbasInfoFlags::sbas_system) is set.
-        pub sbas_system: crate::gnss_1::SbasSystem,
+        /// Valid if [`valid_flags.sbas_system`](SbasInfoFlags::sbas_system) is set.
+        pub sbas_system: SbasSystem,
         /// SBAS satellite.
         ///
-        /// Valid if [`valid_flags.sbas_id`](crate::gnss_1::SbasInfoFlags::sbas_id) is set.
+        /// Valid if [`valid_flags.sbas_id`](SbasInfoFlags::sbas_id) is set.
         pub sbas_id: u8,
         /// Number of SBAS corrections.
         ///
-        /// Unit: 1. Valid if [`valid_flags.count`](crate::gnss_1::SbasInfoFlags::count) is set.
+        /// Unit: 1. Valid if [`valid_flags.count`](SbasInfoFlags::count) is set.
         pub count: u8,
         /// Status of the service.
         ///
-        /// Valid if [`valid_flags.sbas_status`](crate::gnss_1::SbasInfoFlags::sbas_status) is set.
-        pub sbas_status: crate::gnss_1::SbasStatus,
+        /// Valid if [`valid_flags.sbas_status`](SbasInfoFlags::sbas_status) is set.
+        pub sbas_status: SbasStatus,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::SbasInfoFlags,
+        pub valid_flags: SbasInfoFlags,
     }
 }
 
 field! {
-    SbasInfo: 0x81, 0x12, "gnss_data.sbas_info";
+    SbasInfo: 0x12, "gnss_data.sbas_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// SBAS correction (0x81,0x13).
+    /// SBAS correction (0x13).
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     /// - For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678,
     ///   0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Sbas Correction (0x81,0x13).
     #[derive(Copy, Default)]
     pub struct SbasCorrection {
         /// Number of this field within the epoch.
@@ -708,79 +1602,79 @@ record! {
         /// Indicator of the range error that remains after fast and long-term corrections, not
         /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
-        /// Range: 0 to 15. Valid if
-        /// [`valid_flags.udrei`](crate::gnss_1::SbasCorrectionFlags::udrei) is set.
+        /// Range: 0 to 15. Valid if [`valid_flags.udrei`](SbasCorrectionFlags::udrei) is set.
         pub udrei: u8,
         /// Correction of the pseudorange.
         ///
         /// Unit: m. Valid if
-        /// [`valid_flags.pseudorange_correction`](crate::gnss_1::SbasCorrectionFlags::pseudorange_correction)
-        /// is set.
+        /// [`valid_flags.pseudorange_correction`](SbasCorrectionFlags::pseudorange_correction) is
+        /// set.
         pub pseudorange_correction: f32,
         /// Correction of the ionospheric delay.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.iono_correction`](crate::gnss_1::SbasCorrectionFlags::iono_correction) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.iono_correction`](SbasCorrectionFlags::iono_correction)
+        /// is set.
         pub iono_correction: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::SbasCorrectionFlags,
+        pub valid_flags: SbasCorrectionFlags,
     }
 }
 
 field! {
-    SbasCorrection: 0x81, 0x13, "gnss_data.sbas_correction";
+    SbasCorrection: 0x13, "gnss_data.sbas_correction";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// RF error detection (0x81,0x14).
+    /// RF error detection (0x14).
     ///
     /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
-    /// in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
         /// Band.
         ///
-        /// Valid if [`valid_flags.rf_band`](crate::gnss_1::RfErrorDetectionFlags::rf_band) is set.
-        pub rf_band: crate::gnss_1::RfBand,
+        /// Valid if [`valid_flags.rf_band`](RfErrorDetectionFlags::rf_band) is set.
+        pub rf_band: RfBand,
         /// Jamming.
         ///
-        /// Valid if
-        /// [`valid_flags.jamming_state`](crate::gnss_1::RfErrorDetectionFlags::jamming_state) is
-        /// set.
-        pub jamming_state: crate::gnss_1::JammingState,
+        /// Valid if [`valid_flags.jamming_state`](RfErrorDetectionFlags::jamming_state) is set.
+        pub jamming_state: JammingState,
         /// Spoofing.
         ///
-        /// Valid if
-        /// [`valid_flags.spoofing_state`](crate::gnss_1::RfErrorDetectionFlags::spoofing_state) is
-        /// set.
-        pub spoofing_state: crate::gnss_1::SpoofingState,
+        /// Valid if [`valid_flags.spoofing_state`](RfErrorDetectionFlags::spoofing_state) is set.
+        pub spoofing_state: SpoofingState,
         /// Reserved.
         pub reserved: [u8; 4],
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::RfErrorDetectionFlags,
+        pub valid_flags: RfErrorDetectionFlags,
     }
 }
 
 field! {
-    RfErrorDetection: 0x81, 0x14, "gnss_data.rf_error_detection";
+    RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Satellite status (0x81,0x20).
+    /// Satellite status (0x20).
     ///
     /// Direction to one satellite, and its health.
     ///
-    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// - An epoch is sent as one field for each satellite; `index` and `count` number the fields.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20); 3dm-cv7-gnss-ins: Satellite Status
+    /// (0x92,0x20); 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20).
     #[derive(Copy, Default)]
     pub struct SatelliteStatus {
         /// Number of this field within the epoch.
@@ -789,57 +1683,56 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::SatelliteStatusFlags::tow) is set.
+        /// Unit: s. Valid if [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::SatelliteStatusFlags::week_number) is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](SatelliteStatusFlags::week_number) is
+        /// set.
         pub week_number: u16,
         /// Constellation.
         ///
-        /// Valid if [`valid_flags.gnss_id`](crate::gnss_1::SatelliteStatusFlags::gnss_id) is set.
+        /// Valid if [`valid_flags.gnss_id`](SatelliteStatusFlags::gnss_id) is set.
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         ///
-        /// Valid if [`valid_flags.satellite_id`](crate::gnss_1::SatelliteStatusFlags::satellite_id)
-        /// is set.
+        /// Valid if [`valid_flags.satellite_id`](SatelliteStatusFlags::satellite_id) is set.
         pub satellite_id: u8,
         /// Elevation, as seen from the rover.
         ///
-        /// Unit: deg. Valid if
-        /// [`valid_flags.elevation`](crate::gnss_1::SatelliteStatusFlags::elevation) is set.
+        /// Unit: deg. Valid if [`valid_flags.elevation`](SatelliteStatusFlags::elevation) is set.
         pub elevation: f32,
         /// Azimuth, as seen from the rover.
         ///
-        /// Unit: deg. Valid if
-        /// [`valid_flags.azimuth`](crate::gnss_1::SatelliteStatusFlags::azimuth) is set.
+        /// Unit: deg. Valid if [`valid_flags.azimuth`](SatelliteStatusFlags::azimuth) is set.
         pub azimuth: f32,
         /// Whether the satellite is healthy.
         ///
-        /// Valid if [`valid_flags.health`](crate::gnss_1::SatelliteStatusFlags::health) is set.
+        /// Valid if [`valid_flags.health`](SatelliteStatusFlags::health) is set.
         pub health: crate::Bool,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::SatelliteStatusFlags,
+        pub valid_flags: SatelliteStatusFlags,
     }
 }
 
 field! {
-    SatelliteStatus: 0x81, 0x20, "gnss_data.satellite_status";
+    SatelliteStatus: 0x20, "gnss_data.satellite_status";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Raw (0x81,0x22).
+    /// Raw (0x22).
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Not listed in any device profile.
-    /// Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; `index` and `count` number the fields.
     /// - The greatest lock time depends on the receiver.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Raw (0x91,0x22); 3dm-cv7-gnss-ins: Raw (0x92,0x22).
     #[derive(Copy, Default)]
     pub struct Raw {
         /// Number of this field within the epoch.
@@ -848,220 +1741,208 @@ record! {
         pub count: u8,
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::RawFlags::tow) is set.
+        /// Unit: s. Valid if [`valid_flags.tow`](RawFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if [`valid_flags.week_number`](crate::gnss_1::RawFlags::week_number)
-        /// is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](RawFlags::week_number) is set.
         pub week_number: u16,
         /// Receiver, counted from 1; for a measurement from RTCM, the reference station.
         ///
-        /// Valid if [`valid_flags.receiver_id`](crate::gnss_1::RawFlags::receiver_id) is set.
+        /// Valid if [`valid_flags.receiver_id`](RawFlags::receiver_id) is set.
         pub receiver_id: u16,
         /// Channel that tracks the satellite.
         ///
-        /// Valid if [`valid_flags.tracking_channel`](crate::gnss_1::RawFlags::tracking_channel) is
-        /// set.
+        /// Valid if [`valid_flags.tracking_channel`](RawFlags::tracking_channel) is set.
         pub tracking_channel: u8,
         /// Constellation.
         ///
-        /// Valid if [`valid_flags.gnss_id`](crate::gnss_1::RawFlags::gnss_id) is set.
+        /// Valid if [`valid_flags.gnss_id`](RawFlags::gnss_id) is set.
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         ///
-        /// Valid if [`valid_flags.satellite_id`](crate::gnss_1::RawFlags::satellite_id) is set.
+        /// Valid if [`valid_flags.satellite_id`](RawFlags::satellite_id) is set.
         pub satellite_id: u8,
         /// Signal.
         ///
-        /// Valid if [`valid_flags.signal_id`](crate::gnss_1::RawFlags::signal_id) is set.
+        /// Valid if [`valid_flags.signal_id`](RawFlags::signal_id) is set.
         pub signal_id: types::GnssSignal,
         /// Carrier to noise density ratio.
         ///
-        /// Unit: dB-Hz. Valid if
-        /// [`valid_flags.signal_strength`](crate::gnss_1::RawFlags::signal_strength) is set.
+        /// Unit: dB-Hz. Valid if [`valid_flags.signal_strength`](RawFlags::signal_strength) is set.
         pub signal_strength: f32,
         /// How well the signal is tracked.
         ///
-        /// Valid if [`valid_flags.quality`](crate::gnss_1::RawFlags::quality) is set.
-        pub quality: crate::gnss_1::SignalQuality,
+        /// Valid if [`valid_flags.quality`](RawFlags::quality) is set.
+        pub quality: SignalQuality,
         /// Pseudorange.
         ///
-        /// Unit: m. Valid if [`valid_flags.pseudorange`](crate::gnss_1::RawFlags::pseudorange) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.pseudorange`](RawFlags::pseudorange) is set.
         pub pseudorange: f64,
         /// Carrier phase.
         ///
-        /// Unit: cycle. Valid if
-        /// [`valid_flags.carrier_phase`](crate::gnss_1::RawFlags::carrier_phase) is set.
+        /// Unit: cycle. Valid if [`valid_flags.carrier_phase`](RawFlags::carrier_phase) is set.
         pub carrier_phase: f64,
         /// Doppler shift.
         ///
-        /// Unit: Hz. Valid if [`valid_flags.doppler`](crate::gnss_1::RawFlags::doppler) is set.
+        /// Unit: Hz. Valid if [`valid_flags.doppler`](RawFlags::doppler) is set.
         pub doppler: f32,
         /// Uncertainty of the pseudorange.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.range_uncertainty`](crate::gnss_1::RawFlags::range_uncertainty) is set.
+        /// Unit: m. Valid if [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
         pub range_uncertainty: f32,
         /// Uncertainty of the carrier phase.
         ///
         /// Unit: cycle. Valid if
-        /// [`valid_flags.carrier_phase_uncertainty`](crate::gnss_1::RawFlags::carrier_phase_uncertainty)
-        /// is set.
+        /// [`valid_flags.carrier_phase_uncertainty`](RawFlags::carrier_phase_uncertainty) is set.
         pub phase_uncertainty: f32,
         /// Uncertainty of the Doppler shift.
         ///
-        /// Unit: Hz. Valid if
-        /// [`valid_flags.doppler_uncertainty`](crate::gnss_1::RawFlags::doppler_uncertainty) is
+        /// Unit: Hz. Valid if [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is
         /// set.
         pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
-        /// Unit: s. Valid if [`valid_flags.lock_time`](crate::gnss_1::RawFlags::lock_time) is set.
+        /// Unit: s. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is set.
         pub lock_time: f32,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::RawFlags,
+        pub valid_flags: RawFlags,
     }
 }
 
 field! {
-    Raw: 0x81, 0x22, "gnss_data.raw";
+    Raw: 0x22, "gnss_data.raw";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Base station info (0x81,0x30).
+    /// Base station info (0x30).
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Base Station Info (0x81,0x30); 3dm-cv7-gnss-ins: Base Station Info
+    /// (0x93,0x30).
     #[derive(Copy, Default)]
     pub struct BaseStationInfo {
         /// GPS time of week at which the message was received.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::BaseStationInfoFlags::tow) is set.
+        /// Unit: s. Valid if [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::BaseStationInfoFlags::week_number) is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](BaseStationInfoFlags::week_number) is
+        /// set.
         pub week_number: u16,
         /// Position of the station.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-        /// [`valid_flags.ecef_position`](crate::gnss_1::BaseStationInfoFlags::ecef_position) is
-        /// set.
+        /// [`valid_flags.ecef_position`](BaseStationInfoFlags::ecef_position) is set.
         pub ecef_position: types::Vector3d,
         /// Height of the antenna above the marker that was surveyed.
         ///
-        /// Unit: m. Valid if [`valid_flags.height`](crate::gnss_1::BaseStationInfoFlags::height) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.height`](BaseStationInfoFlags::height) is set.
         pub height: f32,
         /// Number of the station.
         ///
-        /// Range: 0 to 4095. Valid if
-        /// [`valid_flags.station_id`](crate::gnss_1::BaseStationInfoFlags::station_id) is set.
+        /// Range: 0 to 4095. Valid if [`valid_flags.station_id`](BaseStationInfoFlags::station_id)
+        /// is set.
         pub station_id: u16,
         /// Properties of the station.
         ///
-        /// Valid if [`valid_flags.indicators`](crate::gnss_1::BaseStationInfoFlags::indicators) is
-        /// set.
-        pub indicators: crate::gnss_1::BaseStationIndicators,
+        /// Valid if [`valid_flags.indicators`](BaseStationInfoFlags::indicators) is set.
+        pub indicators: BaseStationIndicators,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::BaseStationInfoFlags,
+        pub valid_flags: BaseStationInfoFlags,
     }
 }
 
 field! {
-    BaseStationInfo: 0x81, 0x30, "gnss_data.base_station_info";
+    BaseStationInfo: 0x30, "gnss_data.base_station_info";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// RTK corrections status (0x81,0x31).
+    /// RTK corrections status (0x31).
     ///
     /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
-    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31); 3dm-cv7-gnss-ins: RTK Corrections
+    /// Status (0x93,0x31).
     #[derive(Copy, Default)]
     pub struct RtkCorrectionsStatus {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::RtkCorrectionsStatusFlags::tow) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::RtkCorrectionsStatusFlags::week_number) is
-        /// set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](RtkCorrectionsStatusFlags::week_number)
+        /// is set.
         pub week_number: u16,
         /// Corrections received during this epoch.
         ///
-        /// Valid if
-        /// [`valid_flags.epoch_status`](crate::gnss_1::RtkCorrectionsStatusFlags::epoch_status) is
-        /// set.
-        pub epoch_status: crate::gnss_1::RtkEpochStatus,
+        /// Valid if [`valid_flags.epoch_status`](RtkCorrectionsStatusFlags::epoch_status) is set.
+        pub epoch_status: RtkEpochStatus,
         /// Status flags of the RTK dongle; of use only with a dongle.
         ///
-        /// Valid if
-        /// [`valid_flags.dongle_status`](crate::gnss_1::RtkCorrectionsStatusFlags::dongle_status)
-        /// is set.
+        /// Valid if [`valid_flags.dongle_status`](RtkCorrectionsStatusFlags::dongle_status) is set.
         ///
         /// - The same word as in the response to
         ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.gps_latency`](crate::gnss_1::RtkCorrectionsStatusFlags::gps_latency) is
+        /// Unit: s. Valid if [`valid_flags.gps_latency`](RtkCorrectionsStatusFlags::gps_latency) is
         /// set.
         pub gps_correction_latency: f32,
         /// Latency of the last GLONASS correction.
         ///
         /// Unit: s. Valid if
-        /// [`valid_flags.glonass_latency`](crate::gnss_1::RtkCorrectionsStatusFlags::glonass_latency)
-        /// is set.
+        /// [`valid_flags.glonass_latency`](RtkCorrectionsStatusFlags::glonass_latency) is set.
         pub glonass_correction_latency: f32,
         /// Latency of the last Galileo correction.
         ///
         /// Unit: s. Valid if
-        /// [`valid_flags.galileo_latency`](crate::gnss_1::RtkCorrectionsStatusFlags::galileo_latency)
-        /// is set.
+        /// [`valid_flags.galileo_latency`](RtkCorrectionsStatusFlags::galileo_latency) is set.
         pub galileo_correction_latency: f32,
         /// Latency of the last BeiDou correction.
         ///
         /// Unit: s. Valid if
-        /// [`valid_flags.beidou_latency`](crate::gnss_1::RtkCorrectionsStatusFlags::beidou_latency)
-        /// is set.
+        /// [`valid_flags.beidou_latency`](RtkCorrectionsStatusFlags::beidou_latency) is set.
         pub beidou_correction_latency: f32,
         /// Reserved.
         pub reserved: [u32; 4],
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::RtkCorrectionsStatusFlags,
+        pub valid_flags: RtkCorrectionsStatusFlags,
     }
 }
 
 field! {
-    RtkCorrectionsStatus: 0x81, 0x31, "gnss_data.rtk_corrections_status";
+    RtkCorrectionsStatus: 0x31, "gnss_data.rtk_corrections_status";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GPS ephemeris (0x81,0x61).
+    /// GPS ephemeris (0x61).
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Not listed in any
-    /// device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61); 3dm-cv7-gnss-ins: GPS Ephemeris
+    /// (0x92,0x61).
     #[derive(Default)]
     pub struct GpsEphemeris {
         /// Number of this field within the epoch.
@@ -1080,162 +1961,140 @@ record! {
         pub satellite_id: u8,
         /// Health of satellite and signals.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub health: u8,
         /// Issue of data, clock.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af0: f64,
         /// Clock drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af1: f64,
         /// Clock drift rate.
         ///
-        /// Unit: s/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af2: f64,
         /// Group delay.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_gd: f64,
         /// Inter-signal correction for L1.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l1ca: f64,
         /// Inter-signal correction for L2, or for L5 if `isc_l5` is set.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
         /// Mean anomaly.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
-        /// Unit: rad/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
         /// Eccentricity.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
         /// Argument of perigee.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega: f64,
         /// Rate of the right ascension.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
         /// Inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,
         /// Rate of the inclination.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rs: f64,
         /// What the ephemeris holds.
-        pub valid_flags: crate::gnss_1::EphemerisFlags,
+        pub valid_flags: EphemerisFlags,
     }
 }
 
 field! {
-    GpsEphemeris: 0x81, 0x61, "gnss_data.gps_ephemeris";
+    GpsEphemeris: 0x61, "gnss_data.gps_ephemeris";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GLONASS ephemeris (0x81,0x62).
+    /// GLONASS ephemeris (0x62).
     ///
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
-    /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; no source says how nt, a u8, counts them.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62); 3dm-cv7-gnss-ins: Glonass Ephemeris
+    /// (0x92,0x62).
     #[derive(Default)]
     pub struct GlonassEphemeris {
         /// Number of this field within the epoch.
@@ -1254,121 +2113,110 @@ record! {
         pub satellite_id: u8,
         /// GLONASS frequency number.
         ///
-        /// Range: -7 to 24. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Range: -7 to 24. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is
+        /// set.
         pub frequency_number: i8,
         /// Start of the frame within the day.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub tk: u32,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub tb: u32,
         /// Generation of the satellite (M).
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is
-        /// set.
-        pub satellite_type: crate::gnss_1::GlonassSatelliteType,
+        /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
+        pub satellite_type: GlonassSatelliteType,
         /// Relative deviation of the carrier frequency from its nominal value.
         ///
-        /// Unit: 1. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub gamma: f64,
         /// Correction of the satellite time relative to GLONASS time.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub tau_n: f64,
         /// Position of the satellite in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub position: types::Vector3d,
         /// Velocity of the satellite in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
         /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub accel: types::Vector3f,
         /// Health (Bn); not 0 if the satellite fails.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is
-        /// set.
+        /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub health: u8,
         /// Mode of operation of the satellite.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is
-        /// set.
+        /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p: u8,
         /// Day within a period of four years.
         ///
-        /// Unit: day. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: day. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub nt: u8,
         /// Time difference between L1 and L2.
         ///
-        /// Unit: s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub delta_tau_n: f32,
         /// Code of the user range accuracy.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is
-        /// set.
+        /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub ft: u8,
         /// Age of the information.
         ///
-        /// Unit: day. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: day. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub en: u8,
         /// Time between adjacent values of tb.
         ///
-        /// Unit: min. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: min. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p1: u8,
         /// 1 if tb is odd, 0 if it is even.
         ///
-        /// Range: 0 to 1. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Range: 0 to 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is
+        /// set.
         pub p2: u8,
         /// Number of satellites in the almanac of the frame.
         ///
-        /// Unit: 1. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
+        /// Unit: 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p3: u8,
         /// Whether ephemeris parameters are present.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is
-        /// set.
+        /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub p4: u8,
         /// Whether the ephemeris is valid.
-        pub valid_flags: crate::gnss_1::GlonassEphemerisFlags,
+        pub valid_flags: GlonassEphemerisFlags,
     }
 }
 
 field! {
-    GlonassEphemeris: 0x81, 0x62, "gnss_data.glonass_ephemeris";
+    GlonassEphemeris: 0x62, "gnss_data.glonass_ephemeris";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Galileo ephemeris (0x81,0x63).
+    /// Galileo ephemeris (0x63).
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
-    /// in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63); 3dm-cv7-gnss-ins: Galileo Ephemeris
+    /// (0x92,0x63).
     #[derive(Default)]
     pub struct GalileoEphemeris {
         /// Number of this field within the epoch.
@@ -1387,163 +2235,141 @@ record! {
         pub satellite_id: u8,
         /// Health of satellite and signals.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub health: u8,
         /// Issue of data, clock.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af0: f64,
         /// Clock drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af1: f64,
         /// Clock drift rate.
         ///
-        /// Unit: s/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af2: f64,
         /// Group delay.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_gd: f64,
         /// Place of the inter-signal correction for L1 of GPS.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l1ca: f64,
         /// Place of the inter-signal correction for L2 or L5 of GPS.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
         /// Mean anomaly.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
-        /// Unit: rad/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
         /// Eccentricity.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
         /// Argument of perigee.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega: f64,
         /// Rate of the right ascension.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
         /// Inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,
         /// Rate of the inclination.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rs: f64,
         /// What the ephemeris holds.
-        pub valid_flags: crate::gnss_1::EphemerisFlags,
+        pub valid_flags: EphemerisFlags,
     }
 }
 
 field! {
-    GalileoEphemeris: 0x81, 0x63, "gnss_data.galileo_ephemeris";
+    GalileoEphemeris: 0x63, "gnss_data.galileo_ephemeris";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// BeiDou ephemeris (0x81,0x64).
+    /// BeiDou ephemeris (0x64).
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. No source says what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64); 3dm-cv7-gnss-ins: BeiDou Ephemeris
+    /// (0x92,0x64).
     #[derive(Default)]
     pub struct BeidouEphemeris {
         /// Number of this field within the epoch.
@@ -1562,279 +2388,251 @@ record! {
         pub satellite_id: u8,
         /// Health of satellite and signals.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub health: u8,
         /// Issue of data, clock.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
-        /// Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub iode: u8,
         /// Reference time of the clock data.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oc: f64,
         /// Clock bias.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af0: f64,
         /// Clock drift.
         ///
-        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: s/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af1: f64,
         /// Clock drift rate.
         ///
-        /// Unit: s/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: s/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub af2: f64,
         /// Group delay.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_gd: f64,
         /// Place of the inter-signal correction for L1 of GPS.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l1ca: f64,
         /// Place of the inter-signal correction for L2 or L5 of GPS.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l2c: f64,
         /// Reference time of the ephemeris.
         ///
-        /// Unit: s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub t_oe: f64,
         /// Semi-major axis.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a: f64,
         /// Rate of the semi-major axis.
         ///
-        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: m/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub a_dot: f64,
         /// Mean anomaly.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub mean_anomaly: f64,
         /// Correction of the mean motion.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion: f64,
         /// Rate of the correction of the mean motion.
         ///
-        /// Unit: rad/s^2. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s^2. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub delta_mean_motion_dot: f64,
         /// Eccentricity.
         ///
-        /// Unit: 1. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: 1. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub eccentricity: f64,
         /// Argument of perigee.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub argument_of_perigee: f64,
         /// Longitude of the ascending node.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega: f64,
         /// Rate of the right ascension.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub omega_dot: f64,
         /// Inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination: f64,
         /// Rate of the inclination.
         ///
-        /// Unit: rad/s. Valid if
-        /// [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is set.
+        /// Unit: rad/s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub inclination_dot: f64,
         /// Cosine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_ic: f64,
         /// Sine harmonic correction of the inclination.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_is: f64,
         /// Cosine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_uc: f64,
         /// Sine harmonic correction of the argument of latitude.
         ///
-        /// Unit: rad. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris)
-        /// is set.
+        /// Unit: rad. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_us: f64,
         /// Cosine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rc: f64,
         /// Sine harmonic correction of the orbit radius.
         ///
-        /// Unit: m. Valid if [`valid_flags.ephemeris`](crate::gnss_1::EphemerisFlags::ephemeris) is
-        /// set.
+        /// Unit: m. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub c_rs: f64,
         /// What the ephemeris holds.
-        pub valid_flags: crate::gnss_1::EphemerisFlags,
+        pub valid_flags: EphemerisFlags,
     }
 }
 
 field! {
-    BeidouEphemeris: 0x81, 0x64, "gnss_data.beidou_ephemeris";
+    BeidouEphemeris: 0x64, "gnss_data.beidou_ephemeris";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// GPS ionospheric correction (0x81,0x71).
+    /// GPS ionospheric correction (0x71).
     ///
     /// Model of the ionosphere that GPS broadcasts.
     ///
-    /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
-    /// MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `gps_iono_corr`. Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Gps Iono Corr (0x81,0x71).
     #[derive(Default)]
     pub struct GpsIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::GpsIonoCorrectionFlags::tow) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.tow`](GpsIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::GpsIonoCorrectionFlags::week_number) is set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](GpsIonoCorrectionFlags::week_number) is
+        /// set.
         pub week_number: u16,
         /// Coefficients alpha 0 to 3.
         ///
-        /// Valid if [`valid_flags.alpha`](crate::gnss_1::GpsIonoCorrectionFlags::alpha) is set.
-        /// Uncertain: The units.
+        /// Valid if [`valid_flags.alpha`](GpsIonoCorrectionFlags::alpha) is set. Uncertain: The
+        /// units.
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
-        /// Valid if [`valid_flags.beta`](crate::gnss_1::GpsIonoCorrectionFlags::beta) is set.
-        /// Uncertain: The units.
+        /// Valid if [`valid_flags.beta`](GpsIonoCorrectionFlags::beta) is set. Uncertain: The
+        /// units.
         pub beta: [f64; 4],
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::GpsIonoCorrectionFlags,
+        pub valid_flags: GpsIonoCorrectionFlags,
     }
 }
 
 field! {
-    GpsIonoCorrection: 0x81, 0x71, "gnss_data.gps_iono_correction";
+    GpsIonoCorrection: 0x71, "gnss_data.gps_iono_correction";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// Galileo ionospheric correction (0x81,0x73).
+    /// Galileo ionospheric correction (0x73).
     ///
     /// Model of the ionosphere that Galileo broadcasts.
     ///
-    /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `galileo_iono_corr`. Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
     #[derive(Copy, Default)]
     pub struct GalileoIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::GalileoIonoCorrectionFlags::tow) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.tow`](GalileoIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::GalileoIonoCorrectionFlags::week_number) is
-        /// set.
+        /// [`valid_flags.week_number`](GalileoIonoCorrectionFlags::week_number) is set.
         pub week_number: u16,
         /// The three coefficients of the model.
         ///
-        /// Valid if [`valid_flags.alpha`](crate::gnss_1::GalileoIonoCorrectionFlags::alpha) is set.
-        /// Uncertain: The units.
+        /// Valid if [`valid_flags.alpha`](GalileoIonoCorrectionFlags::alpha) is set. Uncertain: The
+        /// units.
         pub alpha: [f64; 3],
         /// Ionospheric storms, one bit (1 to 5) for each of five regions.
         ///
         /// Valid if
-        /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)
-        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each
-        /// represents.
+        /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
+        /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::GalileoIonoCorrectionFlags,
+        pub valid_flags: GalileoIonoCorrectionFlags,
     }
 }
 
 field! {
-    GalileoIonoCorrection: 0x81, 0x73, "gnss_data.galileo_iono_correction";
+    GalileoIonoCorrection: 0x73, "gnss_data.galileo_iono_correction";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
 record! {
-    /// BeiDou ionospheric correction (0x81,0x74).
+    /// BeiDou ionospheric correction (0x74).
     ///
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
-    /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
-    /// MicroStrain MIP SDK.
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `beidou_iono_corr`. Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// Source: mip-sdk-4: Gnss Data (0x81).
+    /// Source: mip-sdk-4: Beidou Iono Corr (0x81,0x74).
     #[derive(Default)]
     pub struct BeidouIonoCorrection {
         /// GPS time of week.
         ///
-        /// Unit: s. Valid if [`valid_flags.tow`](crate::gnss_1::BeidouIonoCorrectionFlags::tow) is
-        /// set.
+        /// Unit: s. Valid if [`valid_flags.tow`](BeidouIonoCorrectionFlags::tow) is set.
         pub tow: f64,
         /// GPS week number.
         ///
-        /// Unit: week. Valid if
-        /// [`valid_flags.week_number`](crate::gnss_1::BeidouIonoCorrectionFlags::week_number) is
-        /// set.
+        /// Unit: week. Valid if [`valid_flags.week_number`](BeidouIonoCorrectionFlags::week_number)
+        /// is set.
         pub week_number: u16,
         /// Coefficients alpha 0 to 3.
         ///
-        /// Valid if [`valid_flags.alpha`](crate::gnss_1::BeidouIonoCorrectionFlags::alpha) is set.
-        /// Uncertain: The units.
+        /// Valid if [`valid_flags.alpha`](BeidouIonoCorrectionFlags::alpha) is set. Uncertain: The
+        /// units.
         pub alpha: [f64; 4],
         /// Coefficients beta 0 to 3.
         ///
-        /// Valid if [`valid_flags.beta`](crate::gnss_1::BeidouIonoCorrectionFlags::beta) is set.
-        /// Uncertain: The units.
+        /// Valid if [`valid_flags.beta`](BeidouIonoCorrectionFlags::beta) is set. Uncertain: The
+        /// units.
         pub beta: [f64; 4],
         /// Nine further coefficients of the delay.
         ///
-        /// Valid if
-        /// [`valid_flags.alpha_correction`](crate::gnss_1::BeidouIonoCorrectionFlags::alpha_correction)
+        /// Valid if [`valid_flags.alpha_correction`](BeidouIonoCorrectionFlags::alpha_correction)
         /// is set. Uncertain: The units.
         pub alpha_correction: [f64; 9],
         /// Which values are valid.
-        pub valid_flags: crate::gnss_1::BeidouIonoCorrectionFlags,
+        pub valid_flags: BeidouIonoCorrectionFlags,
     }
 }
 
 field! {
-    BeidouIonoCorrection: 0x81, 0x74, "gnss_data.beidou_iono_correction";
+    BeidouIonoCorrection: 0x74, "gnss_data.beidou_iono_correction";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
 }

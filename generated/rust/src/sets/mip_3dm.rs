@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-gx5-15: 4.2 3DM Commands; 3dm-cv7-gnss-ins: 3DM (0x0C).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -374,7 +374,8 @@ constructors! {
 }
 
 field! {
-    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data";
+    PollImuData: 0x01, "3dm.poll_imu_data";
+    in [0x0C];
 }
 
 command! {
@@ -428,7 +429,8 @@ constructors! {
 }
 
 field! {
-    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data";
+    PollGnssData: 0x02, "3dm.poll_gnss_data";
+    in [0x0C];
 }
 
 command! {
@@ -480,7 +482,8 @@ constructors! {
 }
 
 field! {
-    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data";
+    PollFilterData: 0x03, "3dm.poll_filter_data";
+    in [0x0C];
 }
 
 command! {
@@ -530,7 +533,8 @@ constructors! {
 }
 
 field! {
-    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data";
+    PollNmeaData: 0x04, "3dm.poll_nmea_data";
+    in [0x0C];
 }
 
 command! {
@@ -562,7 +566,8 @@ constructors! {
 }
 
 field! {
-    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate";
+    GetImuBaseRate: 0x06, "3dm.get_imu_base_rate";
+    in [0x0C];
 }
 
 command! {
@@ -593,7 +598,8 @@ constructors! {
 }
 
 field! {
-    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate";
+    GetGnssBaseRate: 0x07, "3dm.get_gnss_base_rate";
+    in [0x0C];
 }
 
 command! {
@@ -661,7 +667,8 @@ constructors! {
 }
 
 field! {
-    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format";
+    ImuMessageFormat: 0x08, "3dm.imu_message_format";
+    in [0x0C];
 }
 
 command! {
@@ -728,7 +735,8 @@ constructors! {
 }
 
 field! {
-    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format";
+    GnssMessageFormat: 0x09, "3dm.gnss_message_format";
+    in [0x0C];
 }
 
 command! {
@@ -796,7 +804,8 @@ constructors! {
 }
 
 field! {
-    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format";
+    FilterMessageFormat: 0x0A, "3dm.filter_message_format";
+    in [0x0C];
 }
 
 command! {
@@ -827,7 +836,8 @@ constructors! {
 }
 
 field! {
-    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate";
+    GetFilterBaseRate: 0x0B, "3dm.get_filter_base_rate";
+    in [0x0C];
 }
 
 command! {
@@ -893,7 +903,8 @@ constructors! {
 }
 
 field! {
-    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format";
+    NmeaMessageFormat: 0x0C, "3dm.nmea_message_format";
+    in [0x0C];
 }
 
 command! {
@@ -952,7 +963,8 @@ constructors! {
 }
 
 field! {
-    PollData: 0x0C, 0x0D, "3dm.poll_data";
+    PollData: 0x0D, "3dm.poll_data";
+    in [0x0C];
 }
 
 command! {
@@ -986,7 +998,8 @@ constructors! {
 }
 
 field! {
-    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate";
+    GetBaseRate: 0x0E, "3dm.get_base_rate";
+    in [0x0C];
 }
 
 command! {
@@ -1056,7 +1069,8 @@ constructors! {
 }
 
 field! {
-    MessageFormat: 0x0C, 0x0F, "3dm.message_format";
+    MessageFormat: 0x0F, "3dm.message_format";
+    in [0x0C];
 }
 
 command! {
@@ -1089,7 +1103,8 @@ constructors! {
 }
 
 field! {
-    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming";
+    FactoryStreaming: 0x10, "3dm.factory_streaming";
+    in [0x0C];
 }
 
 command! {
@@ -1208,7 +1223,8 @@ impl DataStreamControl {
 }
 
 field! {
-    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control";
+    DataStreamControl: 0x11, "3dm.data_stream_control";
+    in [0x0C];
 }
 
 command! {
@@ -1287,7 +1303,8 @@ constructors! {
 }
 
 field! {
-    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings";
+    ConstellationSettings: 0x21, "3dm.constellation_settings";
+    in [0x0C];
 }
 
 command! {
@@ -1368,7 +1385,8 @@ constructors! {
 }
 
 field! {
-    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings";
+    GnssSbasSettings: 0x22, "3dm.gnss_sbas_settings";
+    in [0x0C];
 }
 
 command! {
@@ -1437,7 +1455,8 @@ constructors! {
 }
 
 field! {
-    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix";
+    GnssAssistedFix: 0x23, "3dm.gnss_assisted_fix";
+    in [0x0C];
 }
 
 command! {
@@ -1498,7 +1517,8 @@ constructors! {
 }
 
 field! {
-    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance";
+    GnssTimeAssistance: 0x24, "3dm.gnss_time_assistance";
+    in [0x0C];
 }
 
 command! {
@@ -1560,7 +1580,8 @@ constructors! {
 }
 
 field! {
-    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control";
+    PpsSourceControl: 0x28, "3dm.pps_source_control";
+    in [0x0C];
 }
 
 command! {
@@ -1592,7 +1613,8 @@ constructors! {
 }
 
 field! {
-    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support";
+    GetEventSupport: 0x2A, "3dm.get_event_support";
+    in [0x0C];
 }
 
 command! {
@@ -1653,7 +1675,8 @@ constructors! {
 }
 
 field! {
-    EventControl: 0x0C, 0x2B, "3dm.event_control";
+    EventControl: 0x2B, "3dm.event_control";
+    in [0x0C];
 }
 
 command! {
@@ -1693,7 +1716,8 @@ constructors! {
 }
 
 field! {
-    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status";
+    GetEventTriggerStatus: 0x2C, "3dm.get_event_trigger_status";
+    in [0x0C];
 }
 
 command! {
@@ -1733,7 +1757,8 @@ constructors! {
 }
 
 field! {
-    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status";
+    GetEventActionStatus: 0x2D, "3dm.get_event_action_status";
+    in [0x0C];
 }
 
 command! {
@@ -1830,7 +1855,8 @@ constructors! {
 }
 
 field! {
-    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config";
+    EventTriggerConfig: 0x2E, "3dm.event_trigger_config";
+    in [0x0C];
 }
 
 command! {
@@ -1932,7 +1958,8 @@ constructors! {
 }
 
 field! {
-    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config";
+    EventActionConfig: 0x2F, "3dm.event_action_config";
+    in [0x0C];
 }
 
 command! {
@@ -1982,7 +2009,8 @@ constructors! {
 }
 
 field! {
-    DeviceSettings: 0x0C, 0x30, "3dm.device_settings";
+    DeviceSettings: 0x30, "3dm.device_settings";
+    in [0x0C];
 }
 
 command! {
@@ -2064,7 +2092,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler";
+    SensorToVehicleTransformEuler: 0x31, "3dm.sensor_to_vehicle_transform_euler";
+    in [0x0C];
 }
 
 command! {
@@ -2129,7 +2158,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion";
+    SensorToVehicleTransformQuaternion: 0x32, "3dm.sensor_to_vehicle_transform_quaternion";
+    in [0x0C];
 }
 
 command! {
@@ -2194,7 +2224,8 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm";
+    SensorToVehicleTransformDcm: 0x33, "3dm.sensor_to_vehicle_transform_dcm";
+    in [0x0C];
 }
 
 command! {
@@ -2260,7 +2291,8 @@ constructors! {
 }
 
 field! {
-    AccelBias: 0x0C, 0x37, "3dm.accel_bias";
+    AccelBias: 0x37, "3dm.accel_bias";
+    in [0x0C];
 }
 
 command! {
@@ -2335,7 +2367,8 @@ constructors! {
 }
 
 field! {
-    GyroBias: 0x0C, 0x38, "3dm.gyro_bias";
+    GyroBias: 0x38, "3dm.gyro_bias";
+    in [0x0C];
 }
 
 command! {
@@ -2381,7 +2414,8 @@ constructors! {
 }
 
 field! {
-    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias";
+    CaptureGyroBias: 0x39, "3dm.capture_gyro_bias";
+    in [0x0C];
 }
 
 command! {
@@ -2459,7 +2493,8 @@ constructors! {
 }
 
 field! {
-    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset";
+    MagHardIronOffset: 0x3A, "3dm.mag_hard_iron_offset";
+    in [0x0C];
 }
 
 command! {
@@ -2536,7 +2571,8 @@ constructors! {
 }
 
 field! {
-    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix";
+    MagSoftIronMatrix: 0x3B, "3dm.mag_soft_iron_matrix";
+    in [0x0C];
 }
 
 command! {
@@ -2594,7 +2630,8 @@ constructors! {
 }
 
 field! {
-    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable";
+    ConingScullingEnable: 0x3E, "3dm.coning_sculling_enable";
+    in [0x0C];
 }
 
 command! {
@@ -2661,7 +2698,8 @@ constructors! {
 }
 
 field! {
-    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate";
+    UartBaudRate: 0x40, "3dm.uart_baud_rate";
+    in [0x0C];
 }
 
 command! {
@@ -2823,7 +2861,8 @@ impl GpioConfig {
 }
 
 field! {
-    GpioConfig: 0x0C, 0x41, "3dm.gpio_config";
+    GpioConfig: 0x41, "3dm.gpio_config";
+    in [0x0C];
 }
 
 command! {
@@ -2879,7 +2918,8 @@ constructors! {
 }
 
 field! {
-    GpioState: 0x0C, 0x42, "3dm.gpio_state";
+    GpioState: 0x42, "3dm.gpio_state";
+    in [0x0C];
 }
 
 command! {
@@ -2950,7 +2990,8 @@ constructors! {
 }
 
 field! {
-    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config";
+    OdometerConfig: 0x43, "3dm.odometer_config";
+    in [0x0C];
 }
 
 command! {
@@ -3046,7 +3087,8 @@ constructors! {
 }
 
 field! {
-    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter";
+    ImuLowPassFilter: 0x50, "3dm.imu_low_pass_filter";
+    in [0x0C];
 }
 
 command! {
@@ -3142,7 +3184,8 @@ constructors! {
 }
 
 field! {
-    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter";
+    ComplementaryFilter: 0x51, "3dm.complementary_filter";
+    in [0x0C];
 }
 
 command! {
@@ -3202,7 +3245,8 @@ constructors! {
 }
 
 field! {
-    SensorRange: 0x0C, 0x52, "3dm.sensor_range";
+    SensorRange: 0x52, "3dm.sensor_range";
+    in [0x0C];
 }
 
 command! {
@@ -3234,7 +3278,8 @@ constructors! {
 }
 
 field! {
-    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges";
+    GetCalibratedSensorRanges: 0x53, "3dm.get_calibrated_sensor_ranges";
+    in [0x0C];
 }
 
 command! {
@@ -3318,7 +3363,8 @@ constructors! {
 }
 
 field! {
-    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter";
+    LowPassFilter: 0x54, "3dm.low_pass_filter";
+    in [0x0C];
 }
 
 command! {
@@ -3377,7 +3423,8 @@ constructors! {
 }
 
 field! {
-    DeviceStatus: 0x0C, 0x64, "3dm.device_status";
+    DeviceStatus: 0x64, "3dm.device_status";
+    in [0x0C];
 }
 
 command! {
@@ -3442,7 +3489,8 @@ record! {
 }
 
 field! {
-    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response";
+    ImuMessageFormatResponse: 0x80, "3dm.imu_message_format_response";
+    in [0x0C];
     answers ImuMessageFormat;
 }
 
@@ -3472,7 +3520,8 @@ record! {
 }
 
 field! {
-    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response";
+    GnssMessageFormatResponse: 0x81, "3dm.gnss_message_format_response";
+    in [0x0C];
     answers GnssMessageFormat;
 }
 
@@ -3501,7 +3550,8 @@ record! {
 }
 
 field! {
-    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response";
+    FilterMessageFormatResponse: 0x82, "3dm.filter_message_format_response";
+    in [0x0C];
     answers FilterMessageFormat;
 }
 
@@ -3525,7 +3575,8 @@ record! {
 }
 
 field! {
-    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response";
+    GetImuBaseRateResponse: 0x83, "3dm.get_imu_base_rate_response";
+    in [0x0C];
     answers GetImuBaseRate;
 }
 
@@ -3548,7 +3599,8 @@ record! {
 }
 
 field! {
-    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response";
+    GetGnssBaseRateResponse: 0x84, "3dm.get_gnss_base_rate_response";
+    in [0x0C];
     answers GetGnssBaseRate;
 }
 
@@ -3628,7 +3680,8 @@ impl DataStreamControlResponse {
 }
 
 field! {
-    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response";
+    DataStreamControlResponse: 0x85, "3dm.data_stream_control_response";
+    in [0x0C];
     answers DataStreamControl;
 }
 
@@ -3653,7 +3706,8 @@ record! {
 }
 
 field! {
-    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response";
+    UartBaudRateResponse: 0x87, "3dm.uart_baud_rate_response";
+    in [0x0C];
     answers UartBaudRate;
 }
 
@@ -3676,7 +3730,8 @@ record! {
 }
 
 field! {
-    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response";
+    GetFilterBaseRateResponse: 0x8A, "3dm.get_filter_base_rate_response";
+    in [0x0C];
     answers GetFilterBaseRate;
 }
 
@@ -3718,7 +3773,8 @@ record! {
 }
 
 field! {
-    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response";
+    ImuLowPassFilterResponse: 0x8B, "3dm.imu_low_pass_filter_response";
+    in [0x0C];
     answers ImuLowPassFilter;
 }
 
@@ -3744,7 +3800,8 @@ record! {
 }
 
 field! {
-    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response";
+    NmeaMessageFormatResponse: 0x8C, "3dm.nmea_message_format_response";
+    in [0x0C];
     answers NmeaMessageFormat;
 }
 
@@ -3766,7 +3823,8 @@ record! {
 }
 
 field! {
-    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response";
+    GetBaseRateResponse: 0x8E, "3dm.get_base_rate_response";
+    in [0x0C];
     answers GetBaseRate;
 }
 
@@ -3796,7 +3854,8 @@ record! {
 }
 
 field! {
-    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response";
+    MessageFormatResponse: 0x8F, "3dm.message_format_response";
+    in [0x0C];
     answers MessageFormat;
 }
 
@@ -3845,7 +3904,8 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response";
+    DeviceStatusBasicResponse: 0x90, "3dm.device_status_basic_response";
+    in [0x0C];
     constants [2: 1];
     sizes 13..=usize::MAX;
     answers DeviceStatus;
@@ -3890,7 +3950,8 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicWithoutStateResponse: 0x0C, 0x90, "3dm.device_status_basic_without_state_response";
+    DeviceStatusBasicWithoutStateResponse: 0x90, "3dm.device_status_basic_without_state_response";
+    in [0x0C];
     constants [2: 1];
     sizes 0..=12;
     answers DeviceStatus;
@@ -3990,7 +4051,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response";
+    DeviceStatusDiagnosticResponse: 0x90, "3dm.device_status_diagnostic_response";
+    in [0x0C];
     constants [2: 2];
     sizes 0..=59;
     answers DeviceStatus;
@@ -4128,7 +4190,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGnssResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_gnss_response";
+    DeviceStatusDiagnosticGnssResponse: 0x90, "3dm.device_status_diagnostic_gnss_response";
+    in [0x0C];
     constants [2: 2];
     sizes 77..=79;
     answers DeviceStatus;
@@ -4271,7 +4334,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGq4_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gq4_45_response";
+    DeviceStatusDiagnosticGq4_45Response: 0x90, "3dm.device_status_diagnostic_gq4_45_response";
+    in [0x0C];
     constants [2: 2];
     sizes 80..=85;
     answers DeviceStatus;
@@ -4419,7 +4483,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticRq1_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_rq1_45_response";
+    DeviceStatusDiagnosticRq1_45Response: 0x90, "3dm.device_status_diagnostic_rq1_45_response";
+    in [0x0C];
     constants [2: 2];
     sizes 86..=usize::MAX;
     answers DeviceStatus;
@@ -4546,7 +4611,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGx4Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gx4_response";
+    DeviceStatusDiagnosticGx4Response: 0x90, "3dm.device_status_diagnostic_gx4_response";
+    in [0x0C];
     constants [2: 2];
     sizes 73..=76;
     answers DeviceStatus;
@@ -4662,7 +4728,8 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticImuResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_imu_response";
+    DeviceStatusDiagnosticImuResponse: 0x90, "3dm.device_status_diagnostic_imu_response";
+    in [0x0C];
     constants [2: 2];
     sizes 60..=72;
     answers DeviceStatus;
@@ -4699,7 +4766,8 @@ record! {
 }
 
 field! {
-    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response";
+    ComplementaryFilterResponse: 0x97, "3dm.complementary_filter_response";
+    in [0x0C];
     answers ComplementaryFilter;
 }
 
@@ -4724,7 +4792,8 @@ record! {
 }
 
 field! {
-    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response";
+    AccelBiasResponse: 0x9A, "3dm.accel_bias_response";
+    in [0x0C];
     answers AccelBias;
 }
 
@@ -4753,7 +4822,8 @@ record! {
 }
 
 field! {
-    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response";
+    GyroBiasResponse: 0x9B, "3dm.gyro_bias_response";
+    in [0x0C];
     answers GyroBias CaptureGyroBias;
 }
 
@@ -4778,7 +4848,8 @@ record! {
 }
 
 field! {
-    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response";
+    MagHardIronOffsetResponse: 0x9C, "3dm.mag_hard_iron_offset_response";
+    in [0x0C];
     answers MagHardIronOffset;
 }
 
@@ -4803,7 +4874,8 @@ record! {
 }
 
 field! {
-    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response";
+    MagSoftIronMatrixResponse: 0x9D, "3dm.mag_soft_iron_matrix_response";
+    in [0x0C];
     answers MagSoftIronMatrix;
 }
 
@@ -4826,7 +4898,8 @@ record! {
 }
 
 field! {
-    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response";
+    ConingScullingEnableResponse: 0x9E, "3dm.coning_sculling_enable_response";
+    in [0x0C];
     answers ConingScullingEnable;
 }
 
@@ -4866,7 +4939,8 @@ record! {
 }
 
 field! {
-    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response";
+    ConstellationSettingsResponse: 0xA0, "3dm.constellation_settings_response";
+    in [0x0C];
     answers ConstellationSettings;
 }
 
@@ -4902,7 +4976,8 @@ record! {
 }
 
 field! {
-    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response";
+    GnssSbasSettingsResponse: 0xA1, "3dm.gnss_sbas_settings_response";
+    in [0x0C];
     answers GnssSbasSettings;
 }
 
@@ -4935,7 +5010,8 @@ impl core::default::Default for GnssAssistedFixResponse {
 }
 
 field! {
-    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response";
+    GnssAssistedFixResponse: 0xA2, "3dm.gnss_assisted_fix_response";
+    in [0x0C];
     answers GnssAssistedFix;
 }
 
@@ -4964,7 +5040,8 @@ record! {
 }
 
 field! {
-    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response";
+    GnssTimeAssistanceResponse: 0xA3, "3dm.gnss_time_assistance_response";
+    in [0x0C];
     answers GnssTimeAssistance;
 }
 
@@ -4984,7 +5061,8 @@ record! {
 }
 
 field! {
-    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response";
+    PpsSourceControlResponse: 0xA8, "3dm.pps_source_control_response";
+    in [0x0C];
     answers PpsSourceControl;
 }
 
@@ -5015,7 +5093,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
+    SensorToVehicleTransformEulerResponse: 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
+    in [0x0C];
     answers SensorToVehicleTransformEuler;
 }
 
@@ -5037,7 +5116,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response";
+    SensorToVehicleTransformQuaternionResponse: 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response";
+    in [0x0C];
     answers SensorToVehicleTransformQuaternion;
 }
 
@@ -5060,7 +5140,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response";
+    SensorToVehicleTransformDcmResponse: 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response";
+    in [0x0C];
     answers SensorToVehicleTransformDcm;
 }
 
@@ -5098,7 +5179,8 @@ record! {
 }
 
 field! {
-    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response";
+    GetEventSupportResponse: 0xB4, "3dm.get_event_support_response";
+    in [0x0C];
     answers GetEventSupport;
 }
 
@@ -5120,7 +5202,8 @@ record! {
 }
 
 field! {
-    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response";
+    EventControlResponse: 0xB5, "3dm.event_control_response";
+    in [0x0C];
     answers EventControl;
 }
 
@@ -5146,7 +5229,8 @@ record! {
 }
 
 field! {
-    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response";
+    GetEventTriggerStatusResponse: 0xB6, "3dm.get_event_trigger_status_response";
+    in [0x0C];
     answers GetEventTriggerStatus;
 }
 
@@ -5172,7 +5256,8 @@ record! {
 }
 
 field! {
-    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response";
+    GetEventActionStatusResponse: 0xB7, "3dm.get_event_action_status_response";
+    in [0x0C];
     answers GetEventActionStatus;
 }
 
@@ -5205,7 +5290,8 @@ record! {
 }
 
 field! {
-    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response";
+    EventTriggerConfigResponse: 0xB8, "3dm.event_trigger_config_response";
+    in [0x0C];
     answers EventTriggerConfig;
 }
 
@@ -5241,7 +5327,8 @@ record! {
 }
 
 field! {
-    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response";
+    EventActionConfigResponse: 0xB9, "3dm.event_action_config_response";
+    in [0x0C];
     answers EventActionConfig;
 }
 
@@ -5348,7 +5435,8 @@ impl GpioConfigResponse {
 }
 
 field! {
-    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response";
+    GpioConfigResponse: 0xC1, "3dm.gpio_config_response";
+    in [0x0C];
     answers GpioConfig;
 }
 
@@ -5370,7 +5458,8 @@ record! {
 }
 
 field! {
-    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response";
+    GpioStateResponse: 0xC2, "3dm.gpio_state_response";
+    in [0x0C];
     answers GpioState;
 }
 
@@ -5399,7 +5488,8 @@ record! {
 }
 
 field! {
-    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response";
+    OdometerConfigResponse: 0xC3, "3dm.odometer_config_response";
+    in [0x0C];
     answers OdometerConfig;
 }
 
@@ -5419,7 +5509,8 @@ record! {
 }
 
 field! {
-    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response";
+    SensorRangeResponse: 0xD2, "3dm.sensor_range_response";
+    in [0x0C];
     answers SensorRange;
 }
 
@@ -5457,7 +5548,8 @@ record! {
 }
 
 field! {
-    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response";
+    GetCalibratedSensorRangesResponse: 0xD3, "3dm.get_calibrated_sensor_ranges_response";
+    in [0x0C];
     answers GetCalibratedSensorRanges;
 }
 
@@ -5490,6 +5582,7 @@ record! {
 }
 
 field! {
-    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response";
+    LowPassFilterResponse: 0xD4, "3dm.low_pass_filter_response";
+    in [0x0C];
     answers LowPassFilter;
 }

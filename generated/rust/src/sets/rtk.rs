@@ -5,7 +5,7 @@
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -87,7 +87,8 @@ constructors! {
 }
 
 field! {
-    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags";
+    GetStatusFlags: 0x01, "rtk.get_status_flags";
+    in [0x0F];
 }
 
 command! {
@@ -116,7 +117,8 @@ constructors! {
 }
 
 field! {
-    GetImei: 0x0F, 0x02, "rtk.get_imei";
+    GetImei: 0x02, "rtk.get_imei";
+    in [0x0F];
 }
 
 command! {
@@ -145,7 +147,8 @@ constructors! {
 }
 
 field! {
-    GetImsi: 0x0F, 0x03, "rtk.get_imsi";
+    GetImsi: 0x03, "rtk.get_imsi";
+    in [0x0F];
 }
 
 command! {
@@ -174,7 +177,8 @@ constructors! {
 }
 
 field! {
-    GetIccid: 0x0F, 0x04, "rtk.get_iccid";
+    GetIccid: 0x04, "rtk.get_iccid";
+    in [0x0F];
 }
 
 command! {
@@ -203,7 +207,8 @@ constructors! {
 }
 
 field! {
-    GetRssi: 0x0F, 0x05, "rtk.get_rssi";
+    GetRssi: 0x05, "rtk.get_rssi";
+    in [0x0F];
 }
 
 command! {
@@ -257,7 +262,8 @@ constructors! {
 }
 
 field! {
-    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type";
+    ConnectedDeviceType: 0x06, "rtk.connected_device_type";
+    in [0x0F];
 }
 
 command! {
@@ -286,7 +292,8 @@ constructors! {
 }
 
 field! {
-    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code";
+    GetActivationCode: 0x07, "rtk.get_activation_code";
+    in [0x0F];
 }
 
 command! {
@@ -315,7 +322,8 @@ constructors! {
 }
 
 field! {
-    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version";
+    GetModemFirmwareVersion: 0x08, "rtk.get_modem_firmware_version";
+    in [0x0F];
 }
 
 command! {
@@ -351,7 +359,8 @@ constructors! {
 }
 
 field! {
-    ServiceStatus: 0x0F, 0x0A, "rtk.service_status";
+    ServiceStatus: 0x0A, "rtk.service_status";
+    in [0x0F];
 }
 
 command! {
@@ -386,7 +395,8 @@ constructors! {
 }
 
 field! {
-    EraseStorage: 0x0F, 0x20, "rtk.erase_storage";
+    EraseStorage: 0x20, "rtk.erase_storage";
+    in [0x0F];
 }
 
 command! {
@@ -435,7 +445,8 @@ constructors! {
 }
 
 field! {
-    LedControl: 0x0F, 0x21, "rtk.led_control";
+    LedControl: 0x21, "rtk.led_control";
+    in [0x0F];
 }
 
 command! {
@@ -465,7 +476,8 @@ constructors! {
 }
 
 field! {
-    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset";
+    ModemHardReset: 0x22, "rtk.modem_hard_reset";
+    in [0x0F];
 }
 
 command! {
@@ -486,7 +498,8 @@ record! {
 }
 
 field! {
-    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response";
+    GetStatusFlagsResponse: 0x81, "rtk.get_status_flags_response";
+    in [0x0F];
     answers GetStatusFlags;
 }
 
@@ -504,7 +517,8 @@ record! {
 }
 
 field! {
-    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response";
+    GetImeiResponse: 0x82, "rtk.get_imei_response";
+    in [0x0F];
     answers GetImei;
 }
 
@@ -522,7 +536,8 @@ record! {
 }
 
 field! {
-    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response";
+    GetImsiResponse: 0x83, "rtk.get_imsi_response";
+    in [0x0F];
     answers GetImsi;
 }
 
@@ -540,7 +555,8 @@ record! {
 }
 
 field! {
-    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response";
+    GetIccidResponse: 0x84, "rtk.get_iccid_response";
+    in [0x0F];
     answers GetIccid;
 }
 
@@ -567,7 +583,8 @@ record! {
 }
 
 field! {
-    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response";
+    GetRssiResponse: 0x85, "rtk.get_rssi_response";
+    in [0x0F];
     answers GetRssi;
 }
 
@@ -585,7 +602,8 @@ record! {
 }
 
 field! {
-    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response";
+    ConnectedDeviceTypeResponse: 0x86, "rtk.connected_device_type_response";
+    in [0x0F];
     answers ConnectedDeviceType;
 }
 
@@ -604,7 +622,8 @@ record! {
 }
 
 field! {
-    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response";
+    GetActivationCodeResponse: 0x87, "rtk.get_activation_code_response";
+    in [0x0F];
     answers GetActivationCode;
 }
 
@@ -622,7 +641,8 @@ record! {
 }
 
 field! {
-    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response";
+    GetModemFirmwareVersionResponse: 0x88, "rtk.get_modem_firmware_version_response";
+    in [0x0F];
     answers GetModemFirmwareVersion;
 }
 
@@ -655,6 +675,7 @@ record! {
 }
 
 field! {
-    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response";
+    ServiceStatusResponse: 0x8A, "rtk.service_status_response";
+    in [0x0F];
     answers ServiceStatus;
 }

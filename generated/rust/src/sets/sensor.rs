@@ -3,7 +3,7 @@
 //!
 //! Source: 3dm-gx5-15: 5.1 IMU Data; 3dm-cv7-gnss-ins: Sensor (0x80).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -72,7 +72,8 @@ record! {
 }
 
 field! {
-    RawAccel: 0x80, 0x01, "sensor.raw_accel";
+    RawAccel: 0x01, "sensor.raw_accel";
+    in [0x80];
 }
 
 record! {
@@ -93,7 +94,8 @@ record! {
 }
 
 field! {
-    RawGyro: 0x80, 0x02, "sensor.raw_gyro";
+    RawGyro: 0x02, "sensor.raw_gyro";
+    in [0x80];
 }
 
 record! {
@@ -115,7 +117,8 @@ record! {
 }
 
 field! {
-    RawMag: 0x80, 0x03, "sensor.raw_mag";
+    RawMag: 0x03, "sensor.raw_mag";
+    in [0x80];
 }
 
 record! {
@@ -139,7 +142,8 @@ record! {
 }
 
 field! {
-    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel";
+    ScaledAccel: 0x04, "sensor.scaled_accel";
+    in [0x80];
 }
 
 record! {
@@ -163,7 +167,8 @@ record! {
 }
 
 field! {
-    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro";
+    ScaledGyro: 0x05, "sensor.scaled_gyro";
+    in [0x80];
 }
 
 record! {
@@ -185,7 +190,8 @@ record! {
 }
 
 field! {
-    ScaledMag: 0x80, 0x06, "sensor.scaled_mag";
+    ScaledMag: 0x06, "sensor.scaled_mag";
+    in [0x80];
 }
 
 record! {
@@ -209,7 +215,8 @@ record! {
 }
 
 field! {
-    DeltaTheta: 0x80, 0x07, "sensor.delta_theta";
+    DeltaTheta: 0x07, "sensor.delta_theta";
+    in [0x80];
 }
 
 record! {
@@ -235,7 +242,8 @@ record! {
 }
 
 field! {
-    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity";
+    DeltaVelocity: 0x08, "sensor.delta_velocity";
+    in [0x80];
 }
 
 record! {
@@ -264,7 +272,8 @@ record! {
 }
 
 field! {
-    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix";
+    CompOrientationMatrix: 0x09, "sensor.comp_orientation_matrix";
+    in [0x80];
 }
 
 record! {
@@ -292,7 +301,8 @@ record! {
 }
 
 field! {
-    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion";
+    CompQuaternion: 0x0A, "sensor.comp_quaternion";
+    in [0x80];
 }
 
 record! {
@@ -316,7 +326,8 @@ record! {
 }
 
 field! {
-    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix";
+    CompOrientationUpdateMatrix: 0x0B, "sensor.comp_orientation_update_matrix";
+    in [0x80];
 }
 
 record! {
@@ -350,7 +361,8 @@ record! {
 }
 
 field! {
-    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles";
+    CompEulerAngles: 0x0C, "sensor.comp_euler_angles";
+    in [0x80];
 }
 
 record! {
@@ -374,7 +386,8 @@ record! {
 }
 
 field! {
-    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature";
+    OrientationRawTemperature: 0x0D, "sensor.orientation_raw_temperature";
+    in [0x80];
 }
 
 record! {
@@ -397,7 +410,8 @@ record! {
 }
 
 field! {
-    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp";
+    InternalTimestamp: 0x0E, "sensor.internal_timestamp";
+    in [0x80];
 }
 
 record! {
@@ -424,7 +438,8 @@ record! {
 }
 
 field! {
-    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp";
+    PpsTimestamp: 0x0F, "sensor.pps_timestamp";
+    in [0x80];
 }
 
 record! {
@@ -450,7 +465,8 @@ record! {
 }
 
 field! {
-    NorthVector: 0x80, 0x10, "sensor.north_vector";
+    NorthVector: 0x10, "sensor.north_vector";
+    in [0x80];
 }
 
 record! {
@@ -475,7 +491,8 @@ record! {
 }
 
 field! {
-    UpVector: 0x80, 0x11, "sensor.up_vector";
+    UpVector: 0x11, "sensor.up_vector";
+    in [0x80];
 }
 
 record! {
@@ -536,7 +553,8 @@ impl GpsTimestamp {
 }
 
 field! {
-    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp";
+    GpsTimestamp: 0x12, "sensor.gps_timestamp";
+    in [0x80];
 }
 
 record! {
@@ -568,7 +586,8 @@ record! {
 }
 
 field! {
-    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics";
+    TemperatureStatistics: 0x14, "sensor.temperature_statistics";
+    in [0x80];
 }
 
 record! {
@@ -589,7 +608,8 @@ record! {
 }
 
 field! {
-    RawPressure: 0x80, 0x16, "sensor.raw_pressure";
+    RawPressure: 0x16, "sensor.raw_pressure";
+    in [0x80];
 }
 
 record! {
@@ -613,7 +633,8 @@ record! {
 }
 
 field! {
-    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure";
+    ScaledPressure: 0x17, "sensor.scaled_pressure";
+    in [0x80];
 }
 
 record! {
@@ -632,7 +653,8 @@ record! {
 }
 
 field! {
-    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status";
+    OverrangeStatus: 0x18, "sensor.overrange_status";
+    in [0x80];
 }
 
 record! {
@@ -659,5 +681,6 @@ record! {
 }
 
 field! {
-    Odometer: 0x80, 0x40, "sensor.odometer";
+    Odometer: 0x40, "sensor.odometer";
+    in [0x80];
 }

@@ -3,11 +3,8 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: Shared (0xFF); 3dm-cv7-gnss-ins: Shared Data Descriptors.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
-
-/// The number of the descriptor set.
-pub const SET: u8 = 0xFF;
 
 bitfield! {
     /// Which parts of the GPS time are valid.
@@ -62,8 +59,8 @@ record! {
 }
 
 field! {
-    EventSource: 0xFF, 0xD0, "shared.event_source";
-    in [0x80..=0xFF];
+    EventSource: 0xD0, "shared.event_source";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -88,8 +85,8 @@ record! {
 }
 
 field! {
-    Ticks: 0xFF, 0xD1, "shared.ticks";
-    in [0x80..=0xFF];
+    Ticks: 0xD1, "shared.ticks";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -113,8 +110,8 @@ record! {
 }
 
 field! {
-    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks";
-    in [0x80..=0xFF];
+    DeltaTicks: 0xD2, "shared.delta_ticks";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -151,8 +148,8 @@ record! {
 }
 
 field! {
-    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp";
-    in [0x80..=0xFF];
+    GpsTimestamp: 0xD3, "shared.gps_timestamp";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -176,8 +173,8 @@ record! {
 }
 
 field! {
-    DeltaTime: 0xFF, 0xD4, "shared.delta_time";
-    in [0x80..=0xFF];
+    DeltaTime: 0xD4, "shared.delta_time";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -202,8 +199,8 @@ record! {
 }
 
 field! {
-    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp";
-    in [0x80..=0xFF];
+    ReferenceTimestamp: 0xD5, "shared.reference_timestamp";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -226,8 +223,8 @@ record! {
 }
 
 field! {
-    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta";
-    in [0x80..=0xFF];
+    ReferenceTimeDelta: 0xD6, "shared.reference_time_delta";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -255,8 +252,8 @@ record! {
 }
 
 field! {
-    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp";
-    in [0x80..=0xFF];
+    ExternalTimestamp: 0xD7, "shared.external_timestamp";
+    in [0x80..=0xFE];
 }
 
 record! {
@@ -282,6 +279,6 @@ record! {
 }
 
 field! {
-    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta";
-    in [0x80..=0xFF];
+    ExternalTimeDelta: 0xD8, "shared.external_time_delta";
+    in [0x80..=0xFE];
 }

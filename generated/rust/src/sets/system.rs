@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-gx5-15: 4.4 System Commands.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -109,7 +109,8 @@ constructors! {
 }
 
 field! {
-    InterfaceControl: 0x7F, 0x02, "system.interface_control";
+    InterfaceControl: 0x02, "system.interface_control";
+    in [0x7F];
 }
 
 command! {
@@ -170,7 +171,8 @@ constructors! {
 }
 
 field! {
-    CommMode: 0x7F, 0x10, "system.comm_mode";
+    CommMode: 0x10, "system.comm_mode";
+    in [0x7F];
 }
 
 command! {
@@ -199,7 +201,8 @@ record! {
 }
 
 field! {
-    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response";
+    InterfaceControlResponse: 0x82, "system.interface_control_response";
+    in [0x7F];
     answers InterfaceControl;
 }
 
@@ -220,6 +223,7 @@ record! {
 }
 
 field! {
-    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response";
+    CommModeResponse: 0x90, "system.comm_mode_response";
+    in [0x7F];
     answers CommMode;
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: System (0xA0).
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -66,7 +66,8 @@ impl BuiltInTest {
 }
 
 field! {
-    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test";
+    BuiltInTest: 0x01, "system_data.built_in_test";
+    in [0xA0];
 }
 
 record! {
@@ -89,7 +90,8 @@ record! {
 }
 
 field! {
-    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status";
+    TimeSyncStatus: 0x02, "system_data.time_sync_status";
+    in [0xA0];
 }
 
 record! {
@@ -114,7 +116,8 @@ record! {
 }
 
 field! {
-    GpioState: 0xA0, 0x03, "system_data.gpio_state";
+    GpioState: 0x03, "system_data.gpio_state";
+    in [0xA0];
 }
 
 record! {
@@ -141,5 +144,6 @@ record! {
 }
 
 field! {
-    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value";
+    GpioAnalogValue: 0x04, "system_data.gpio_analog_value";
+    in [0xA0];
 }

@@ -1,24 +1,22 @@
-"""C99: one header and one source for each descriptor set, on a small core."""
+"""C99: one header and one source for each descriptor set, or family of them, on a small core."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from ... import formatting, resources
-from ... import model as m
-from ...checks import SHARED_DESCRIPTORS
-from ...render import File
-from . import calls, direct, literals, members, names, programs, sizes, tables
+from mipgen import model as m
+from mipgen.base import resources
+from mipgen.emit import formatting, package
+from mipgen.emit.target import File, Target
+from mipgen.lower import memory
+from mipgen.model import SHARED_DESCRIPTORS
+
+from . import bytecode, calls, direct, literals, members, names, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
-from .names import MAX_IDENTIFIER
+from .names import GRAMMAR
 
-__all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filters", "identifiers"]
-
-TITLE = "C99, library mip"
-CONFORMANCE = ("parse", "decode", "encode", "client", "live")
-FORMATTER = formatting.CLANG_FORMAT
 #: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
 EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp", "arduino/arduino.ino")
 
@@ -28,14 +26,15 @@ def files(model: m.Model) -> Iterator[File]:
     made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": everything(made)}))
     yield from made
     yield from packages(model, made)
-    taste = model.taste("taste.c")
-    if taste:
-        yield File("taste.c", "verbatim.j2", {"text": taste})
+    quickstart = model.program("quickstart.c")
+    if quickstart:
+        yield File("quickstart.c", "verbatim.j2", {"text": quickstart})
     for name in EXAMPLES:
-        if example := model.taste(name.rpartition("/")[2]):
+        if example := model.program(name.rpartition("/")[2]):
             yield File(f"examples/{name}", "verbatim.j2", {"text": example})
-    shown = {name: model.taste(f"{name}.c").rstrip() for name in ("device", "client", "present")}
-    shown["taste"] = taste.partition("*/\n")[2].rstrip()
+    shown = {name: model.program(f"{name}.c").rstrip() for name in ("device", "client", "present", "receivers")}
+    shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
+    shown["quickstart"] = quickstart.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 
 
@@ -50,13 +49,13 @@ def code(model: m.Model) -> Iterator[File]:
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
-    for s in model.sets:
-        name = names.module(s.name)
-        yield File(f"src/mip/{name}.h", "set.h.j2", {"set": s})
-        if calls.commands(s):
-            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"set": s})
-        if s.fields:
-            yield File(f"src/mip/{name}.c", "set.c.j2", {"set": s})
+    for x in model.families:
+        name = names.module(x.name)
+        yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x})
+        if calls.commands(x):
+            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": x})
+        if x.fields:
+            yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x})
 
 
 def everything(made: list[File]) -> list[str]:
@@ -67,7 +66,7 @@ def everything(made: list[File]) -> list[str]:
 def present(made: list[File]) -> list[str]:
     """The names of all headers and sources, those that are made and those of the runtime."""
     folder = "src/mip/"
-    runtime = (resources.root() / "templates/c/runtime" / folder).iterdir()
+    runtime = (resources.root() / "runtime/c" / folder).iterdir()
     return sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
 
 
@@ -78,25 +77,23 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         "sources": [name for name in found if name.endswith(".c")],
         "headers": [name for name in found if name.endswith(".h")],
         "soversion": ".".join(model.protocol.version.split(".")[:2]),
-        "summary": "The MIP protocol of MicroStrain inertial sensors",
+        "summary": f"The {model.protocol.title}",
+        "keywords": list(
+            dict.fromkeys([model.protocol.package, *(word.lower() for word in model.protocol.keywords), "protocol"])
+        ),
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile"):
-        yield File(path, f"{path}.j2", facts)
+    manifests = ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile")
+    for path in (*manifests, "cmake/mip.pc.in", "zephyr/Kconfig"):
+        yield File(path, f"{path.rpartition('/')[2]}.j2", facts)
 
 
-def in_order(s: m.Set) -> Iterator[m.Field]:
-    """The fields of a set, each command followed by the responses that it owns."""
-    for f in s.fields:
+def in_order(family: m.Family) -> Iterator[m.Field]:
+    """The fields of a family, each command followed by the responses that it owns."""
+    for f in family.fields:
         if f.role != m.RESPONSE:
             yield f
-            yield from (r for r in s.fields if r.role == m.RESPONSE and r.command == f.name)
-
-
-def includes(s: m.Set, model: m.Model) -> list[str]:
-    """The headers that the header of a set needs: of the sets whose fields it repeats too, for their types."""
-    repeated = (model.original(f).set_name for f in s.fields if f.definition)
-    return list(dict.fromkeys(["protocol", *map(names.module, repeated)]))
+            yield from (r for r in family.fields if r.role == m.RESPONSE and r.command == f.name)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
@@ -117,7 +114,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "accessor": names.accessor,
         "short": names.short,
         "is_enum": names.is_enum,
+        "set_constant": names.set_constant,
         "key": literals.key,
+        "several": lambda f: len(f.occurrences) > 1,
+        "belongs": literals.belongs,
         "is_struct": names.is_struct,
         "spec_name": names.spec_name,
         # literals
@@ -129,13 +129,12 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "version_number": literals.version_number,
         "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
         # records
-        "members": members.members,
-        "alternatives": members.alternatives,
+        "members": memory.members,
+        "alternatives": memory.alternatives,
         "takes_enum": members.takes_enum,
         "declaration": members.declaration,
         "home": members.home,
         "in_order": in_order,
-        "includes": lambda s: includes(s, model),
         "optional": lambda record: isinstance(record, m.Field) and record.optional,
         "last_present": members.last_present,
         "constructors": members.constructors,
@@ -147,26 +146,29 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
         # layouts
-        "program": lambda f: programs.program(f, model.layouts(f), model.sizes(f)),
-        "numbers_only": lambda f: programs.numbers(f, model.layouts(f)),
+        "program": lambda f: bytecode.program(f, model.layouts(f), model.sizes(f)),
+        "numbers_only": lambda f: bytecode.numbers(f, model.layouts(f)),
         "direct": direct.direct,
         "layouts": lambda f: len(model.layouts(f)) > 1,
         # tables
         "required": tables.required,
         "entries": lambda of: list(tables.entries(of)),
+        "sets": lambda of: list(tables.sets(of)),
         "names": tables.names,
         "parameter_row": tables.parameter,
-        "reflection_row": lambda f: tables.reflection(f, model),
+        "reflection_row": tables.reflection,
         "readings": tables.readings,
         "numbers": tables.numbers,
         "labels": tables.labels,
         "letters": m.letters,
-        "max_value_size": sizes.max_value_size,
+        "max_value_size": memory.largest,
         # comments
         "comment": comment,
         "device_doc": docs.device,
+        "family_doc": docs.family,
         "set_doc": docs.set,
         "field_doc": docs.field,
+        "key_doc": docs.key,
         "present_doc": docs.present,
         "type_doc": docs.type,
         "member_doc": docs.member,
@@ -175,3 +177,15 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "value_doc": docs.value,
         "bits_doc": docs.bits,
     }
+
+
+TARGET = Target(
+    title="C99, library mip",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.everywhere,
+    grammar=GRAMMAR,
+    formatter=formatting.CLANG_FORMAT,
+    conformance=("parse", "decode", "encode", "client", "live"),
+)

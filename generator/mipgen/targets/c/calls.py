@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ... import model as m
-from .members import Constructor, argument, constructors, members, takes_enum
+from mipgen import model as m
+from mipgen.lower.calls import replies
+from mipgen.lower.memory import members
+
+from .members import Constructor, argument, constructors, takes_enum
 from .names import argument_name, constant, field_name, short, type_name
 
 
@@ -24,16 +27,35 @@ class Call:
     """A function that sends a command and waits for its answer."""
 
     name: str
-    arguments: tuple[str, ...]
-    value: str  # an expression: the address of the command's structure
-    makes: bool  # does it make that structure?
+    field: m.Field
     response: m.Field | None
     doc: list[str]
+    way: Constructor | None = None  # what makes the command's structure from the arguments
     given: tuple[m.Parameter, ...] = ()  # what the arguments are
+    passed: tuple[str, ...] = ()  # what it hands to the constructor
+    whole: bool = False  # does it take the structure?
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        if self.whole:
+            return (f"const struct {field_name(self.field)} *command",)
+        return tuple(argument(p, self.field) for p in self.given)
+
+    @property
+    def value(self) -> str:
+        """An expression: the address of the command's structure."""
+        if self.way is None:
+            return "command" if self.whole else "NULL"
+        return f"{field_name(self.field)}_{self.way.name}({', '.join(('&command', *self.passed))})"
+
+    @property
+    def makes(self) -> bool:
+        """Does it make that structure?"""
+        return self.way is not None
 
 
-def commands(s: m.Set) -> list[m.Field]:
-    return [f for f in s.fields if f.role == m.COMMAND]
+def commands(family: m.Family) -> list[m.Field]:
+    return [f for f in family.fields if f.role == m.COMMAND]
 
 
 def sends(f: m.Field, model: m.Model) -> list[Send]:
@@ -57,16 +79,15 @@ def calls(f: m.Field, model: m.Model) -> list[Call]:
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
     found = model.responses(f)
     doc = f"{f.title}: calls the command with these values, including optional parameters. See mip_device_call."
-    name, arguments = f"{_name('call', f)}_with", (f"const struct {field_name(f)} *command",)
-    return [*made, Call(name, arguments, "command", False, found[0] if len(found) == 1 else None, [doc])]
+    response = found[0] if len(found) == 1 else None
+    return [*made, Call(f"{_name('call', f)}_with", f, response, [doc], whole=True)]
 
 
 def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]:
     """The calls of one function of a command. If one of several responses answers it, each response has a call, which
     fixes the parameters that select it; the first call expects only an acknowledge."""
     function = way.function if way else None
-    replies = [r for r in model.replies(f) if function is None or function in r.functions]
-    layouts = [(layout, r) for r in replies for layout in r.layouts]
+    layouts = [(layout, r) for r in replies(f, function, model) for layout in r.layouts]
     end = f"_{function.name}" if function else ""
     if len(layouts) == 1:
         yield _call(f, f"{_name('call', f)}{end}", way, *layouts[0], fixed=False)
@@ -84,14 +105,12 @@ def _call(
     doc = f"{f.title}: {function.name}. {function.description}" if function else f"{f.title}."
     doc += " The answer is decoded as this response." if fixed else ""
     doc += " See mip_device_call."
-    if way is None:
-        return Call(name, (), "NULL", False, response, [doc])
-    given = tuple(p for p in way.asked if p.name not in values)
-    arguments = tuple(argument(p, f) for p in given)
-    passed = ["&command"]
-    for p in way.asked:
+    asked = way.asked if way else ()
+    passed: list[str] = []
+    for p in asked:
         passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
-    return Call(name, arguments, f"{field_name(f)}_{way.name}({', '.join(passed)})", True, response, [doc], given)
+    given = tuple(p for p in asked if p.name not in values)
+    return Call(name, f, response, [doc], way, given, tuple(passed))
 
 
 def _passed(p: m.Parameter) -> list[str]:
@@ -116,4 +135,4 @@ def identifiers(f: m.Field, model: m.Model) -> Iterator[str]:
 
 
 def _name(verb: str, f: m.Field) -> str:
-    return f"mip_{verb}_{f.set_name}_{short(f)}"
+    return f"mip_{verb}_{f.family}_{short(f)}"

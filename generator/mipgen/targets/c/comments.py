@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ... import describe
-from ... import model as m
-from ...wrapping import wrapped
+from mipgen import model as m
+from mipgen.emit.wrapping import wrapped
+from mipgen.facts import describe
+from mipgen.lower.memory import members
+
 from . import names
 from .literals import hexadecimal
-from .members import last_present, members
+from .members import last_present
 from .names import Record
 
 #: Where clang-format breaks lines, too; it only moves comments.
@@ -55,6 +57,8 @@ def reference(r: describe.Ref) -> str:
     match r.thing, r.within:
         case m.Field() as f, _:
             return names.field_name(f)
+        case m.Set() as s, _:
+            return names.set_constant(s)
         case m.Parameter() as p, _:
             return names.member(p.name) if p.constant is None else p.name
         case m.EnumValue() as v, m.Enum() as e:
@@ -80,13 +84,23 @@ class Comments:
 
     model: m.Model
 
-    def set(self, s: m.Set) -> list[str]:
-        what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
-        unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in s.fields) else []
-        return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))]), *unsure]
+    def family(self, x: m.Family) -> list[str]:
+        """Of a header: what it says of its set, or of what several have in common."""
+        place = f" ({hexadecimal(x.number)})" if len(x.sets) == 1 else ""
+        what = " ".join([f"{x.title}{place}.", *self._prose(x.description)])
+        unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in x.fields) else []
+        return ["@file", " ".join([what, *said(describe.uncertain(x, self.model))]), *unsure]
+
+    def set(self, s: m.Set, family: m.Family) -> list[str]:
+        """Of the constant of a set: what the header says of it, if there is no other."""
+        if len(family.sets) == 1:
+            return ["Descriptor set of these fields."]
+        what = " ".join([f"Descriptor set: {s.title}.", *self._prose(s.description)])
+        return [" ".join([what, *said(describe.uncertain(s, self.model))])]
 
     def field(self, f: m.Field) -> list[str]:
-        place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
+        one = f.set and len(f.occurrences) == 1
+        place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if one else hexadecimal(f.descriptor)
         facts = [x for x in describe.field(f, self.model) if x.topic != "perhaps"]
         unsure = [UNSURE] if self.model.devices_of(f, certain=False) and not self.model.devices_of(f) else []
         return [
@@ -97,6 +111,13 @@ class Comments:
             *self._without_member(f),
             *_cited(f),
         ]
+
+    def key(self, f: m.Field) -> list[str]:
+        """Of its constant."""
+        several = len(f.occurrences) > 1
+        what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
+        others = " Other layouts have the same: _decode refuses them with MIP_ERROR_LAYOUT."
+        return [f"{what}, as mip_field_key gives them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
         """Of the member that says how many parameters are present."""

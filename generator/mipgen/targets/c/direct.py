@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ... import model as m
-from ... import operations
+from mipgen import model as m
+from mipgen.lower import runs
+from mipgen.lower.runs import Path, Run
+
 from .names import LANGUAGE, member
 
 _SCALARS: dict[str, str] = LANGUAGE["scalars"]
@@ -40,43 +41,17 @@ class Access:
 
 def direct(f: m.Field) -> list[Access]:
     """The members of a field in wire order; none if its layout varies or has constants, which need checks."""
-    if f.min_size != f.max_size or not all(_plain(op) for op in f.operations):
-        return []
-    return [*_accesses(f.operations, "", 0)]
+    return [_access(run) for run in runs.runs(f)]
 
 
-def _plain(op: m.Operation) -> bool:
-    match op:
-        case m.ScalarOp() | m.BitsOp():
-            return True
-        case m.TextOp():
-            return op.count is not None
-        case m.ArrayOp():
-            return op.count is not None and _plain(op.item)
-        case m.StructOp():
-            return all(_plain(inner) for inner in op.struct.operations)
-        case _:
-            return False
+def _access(r: Run) -> Access:
+    path = _path(r.path) + (".bytes" if r.op.kind == "bits" else "")
+    return Access(path, r.offset, r.scalar.name, r.scalar.size, r.count or 0, text=r.op.kind == "text")
 
 
-def _accesses(ops: Sequence[m.Operation], of: str, offset: int) -> Iterator[Access]:
-    for op in ops:
-        yield from _access(op, f"{of}{member(op.member)}", offset)  # type: ignore[union-attr]
-        offset += operations.size(op)[0]
-
-
-def _access(op: m.Operation, path: str, offset: int) -> Iterator[Access]:
-    match op:
-        case m.ScalarOp():
-            yield Access(path, offset, op.scalar.name, op.size, 0)
-        case m.BitsOp():
-            yield Access(f"{path}.bytes", offset, "u8", 1, op.size)
-        case m.TextOp():
-            yield Access(path, offset, "char", 1, op.capacity, text=True)
-        case m.StructOp():
-            yield from _accesses(op.struct.operations, f"{path}.", offset)
-        case m.ArrayOp(item=m.ScalarOp() as item):
-            yield Access(path, offset, item.scalar.name, item.size, op.capacity)
-        case m.ArrayOp():
-            for i in range(op.capacity):
-                yield from _access(op.item, f"{path}[{i}]", offset + i * operations.size(op.item)[0])
+def _path(parts: Path) -> str:
+    """
+    >>> _path(("points", 1, "x"))
+    'points[1].x'
+    """
+    return "".join(f"[{x}]" if isinstance(x, int) else f".{member(x)}" for x in parts).removeprefix(".")

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ... import model as m
-from ...naming import Identifier
+from mipgen import model as m
+from mipgen.emit.naming import Identifier
+from mipgen.lower.memory import alternatives, members
+
 from . import calls, tables
 from .direct import direct
-from .members import alternatives, constructors, has_accessor, last_present, members
-from .names import (
+from .members import constructors, has_accessor, last_present
+from .names import (  # fmt: skip
     LANGUAGE,
     Record,
     accessor,
@@ -19,9 +21,10 @@ from .names import (
     member,
     module,
     record_name,
+    set_constant,
     type_name,
     union_name,
-)  # fmt: skip
+)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -31,13 +34,14 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield from of_type(t)
     yield from of_field(model.protocol.acknowledge)
     for s in model.sets:
-        yield Identifier("src/mip", module(s.name), f"set {s.name}", s.position)
-        if calls.commands(s):
-            yield Identifier("src/mip", f"{module(s.name)}_commands", f"set {s.name}", s.position)
-        yield Identifier("C", f"{macro(f'mip_{s.name}')}_SET", f"set {s.name}", s.position)
-        for t in s.types:
+        yield Identifier("C", set_constant(s), f"set {s.name}", s.position)
+    for x in model.families:
+        yield Identifier("src/mip", module(x.name), f"set {x.name}", x.position, word=False)
+        if calls.commands(x):
+            yield Identifier("src/mip", f"{module(x.name)}_commands", f"set {x.name}", x.position, word=False)
+        for t in x.types:
             yield from of_type(t)
-        for f in s.fields:
+        for f in x.fields:
             yield from of_field(f)
             for name in calls.identifiers(f, model):
                 yield Identifier("C", name, f.full_name, f.position)

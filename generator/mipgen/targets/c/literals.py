@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from itertools import count
 
-from ... import model as m
+from mipgen import model as m
 
 
 def hexadecimal(value: int) -> str:
@@ -18,6 +20,20 @@ def hexadecimal(value: int) -> str:
 def key(f: m.Field) -> str:
     """Descriptor set and descriptor of a field as one number."""
     return f"0x{f.set:02X}{f.descriptor:02X}"
+
+
+def belongs(numbers: Sequence[int], name: str) -> str:
+    """A condition: is the number of that name one of these, which ascend?
+
+    >>> belongs((0x81, 0x91, 0x92, 0x93), "set")
+    'set == 0x81 || (set >= 0x91 && set <= 0x93)'
+    """
+    tests = []
+    for first in (n for n in numbers if n - 1 not in numbers):
+        last = next(n for n in count(first) if n + 1 not in numbers)
+        inside = f"({name} >= {hexadecimal(first)} && {name} <= {hexadecimal(last)})"
+        tests.append(inside if first < last else f"{name} == {hexadecimal(first)}")
+    return " || ".join(tests)
 
 
 def number(value: int, size: int, text: str = "") -> str:

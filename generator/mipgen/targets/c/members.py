@@ -4,18 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ... import model as m
+from mipgen import model as m
+from mipgen.lower import calls, presence
+from mipgen.lower.memory import members
+
 from .names import Record, argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
-
-
-def members(record: Record) -> list[m.Parameter]:
-    """The parameters that have a member: no constants, and no unions without alternatives."""
-    return [p for p in record.parameters if p.constant is None and (p.element is not None or alternatives(p))]
-
-
-def alternatives(p: m.Parameter) -> list[m.Parameter]:
-    """The members of a union."""
-    return [c.parameter for c in p.cases if c.parameter is not None]
 
 
 def declaration(p: m.Parameter, record: Record) -> str:
@@ -41,8 +34,8 @@ def home(alternative: m.Parameter) -> str:
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
     """The optional parameters, each with the value of `present` when it is the last one that is there."""
-    groups = {i.member: g.last for g in f.operations if isinstance(g, m.GroupOp) for i in g.body}  # type: ignore[union-attr]
-    return [(p, groups[p.name]) for p in members(f) if p.optional and not p.counts]
+    numbers = presence.last(f)
+    return [(p, numbers[p.name]) for p in members(f) if p.optional and not p.counts]
 
 
 # --------------------------------------------------------------------------- constructors
@@ -63,15 +56,15 @@ class Constructor:
 def constructors(f: m.Field) -> list[Constructor]:
     if f.role != m.COMMAND or not (f.functions or any(p.reserved is None for p in members(f))):
         return []
-    return [_constructor(f, call) for call in f.calls]
+    return [_constructor(f, way) for way in calls.constructors(f)]
 
 
-def _constructor(f: m.Field, call: m.Call) -> Constructor:
-    asked = tuple(p for p in members(f) if p in call.asked)
+def _constructor(f: m.Field, way: calls.Constructor) -> Constructor:
+    asked = tuple(p for p in members(f) if p in way.given)
     return Constructor(
-        name=call.function.name if call.function else "make",
-        function=call.function,
-        description=call.function.description if call.function else f"{f.title}.",
+        name=way.function.name if way.function else "make",
+        function=way.function,
+        description=way.function.description if way.function else f"{f.title}.",
         arguments=", ".join(argument(p, f) for p in asked),
         asked=asked,
         assigned=tuple(p for p in members(f) if p in asked or p.reserved),

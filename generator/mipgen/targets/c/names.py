@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from ... import model as m
-from ...naming import Escape, upper
-from ...render import language
+from mipgen import model as m
+from mipgen.emit.naming import Escape, Grammar, upper
+from mipgen.emit.render import language
 
 LANGUAGE = language("c")
 _KEYWORDS = frozenset(LANGUAGE["keywords"])
 _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 
-#: The number of significant characters of an identifier in C99; identifiers that differ only after them may be the
-#: same.
-MAX_IDENTIFIER = 63
+#: Identifiers of C99 that differ only after their first 63 characters may be the same.
+GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS, longest=63)
 
 Record = m.Field | m.Struct
 
@@ -33,14 +32,18 @@ def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits
 
 
 def type_name(t: m.Type) -> str:
-    """The name of a type, after its set; a set's name is not said twice."""
+    """The name of a type, after its family, whose name is not said twice."""
     if isinstance(t, m.Vector):
         return f"mip_{t.name}"
     return f"mip_{t.owner}_{short(t).removeprefix(f'{t.owner}_')}" if t.owner else f"mip_{short(t)}"
 
 
 def field_name(f: m.Field) -> str:
-    return f"mip_{f.set_name}_{short(f)}"
+    return f"mip_{f.family}_{short(f)}"
+
+
+def set_constant(s: m.Set) -> str:
+    return f"{macro(f'mip_{s.name}')}_SET"
 
 
 def record_name(record: Record) -> str:
@@ -66,7 +69,7 @@ def bare(thing: m.Type | m.Field) -> str:
 
 
 def spec_name(t: m.Enum | m.Bitfield) -> str:
-    """The name in the specification, after its set if a set owns the type."""
+    """The name in the specification, after its family if one owns the type."""
     return f"{t.owner}.{t.name}" if t.owner else t.name
 
 

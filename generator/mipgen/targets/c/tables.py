@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ... import model as m
-from ...naming import upper
+from mipgen import model as m
+from mipgen.emit.naming import upper
+from mipgen.lower import presence
+from mipgen.lower.memory import members
+
 from . import literals
-from .members import home, members
+from .members import home
 from .names import Record, bare, field_name, member, record_name, union_name
 
 
 def required(f: m.Field) -> list[int]:
     """How many parameters each function requires, by its value."""
-    last = max(x.value for x in f.functions)
-    return [f.required(value) for value in range(last + 1)]
+    found = presence.required(f)
+    return [found.get(value, 0) for value in range(max(found) + 1)]
 
 
 # --------------------------------------------------------------------------- registry
@@ -28,9 +31,34 @@ class Entry:
     links: tuple[int, ...]  # the entries of its responses or commands
 
 
+@dataclass(frozen=True, slots=True)
+class SetEntry:
+    number: int
+    name: str
+    first: int  # the entry of the first field of its family
+    count: int
+
+
+def _ordered(model: m.Model) -> list[m.Field]:
+    """All fields, by family, descriptor, and the order of the specification; first the acknowledge."""
+    families = (sorted(x.fields, key=lambda f: f.descriptor) for x in model.families)
+    return [model.protocol.acknowledge, *(f for fields in families for f in fields)]
+
+
+def sets(model: m.Model) -> Iterator[SetEntry]:
+    """All descriptor sets by number; that of the acknowledge, which stands for all command sets, is 0."""
+    acknowledge = model.protocol.acknowledge
+    yield SetEntry(acknowledge.set, acknowledge.family, 0, 1)
+    places: dict[str, tuple[int, int]] = {}
+    first = 1
+    for x in model.families:
+        places[x.name] = first, len(x.fields)
+        first += len(x.fields)
+    yield from (SetEntry(s.number, s.name, *places[s.family]) for s in model.sets)
+
+
 def entries(model: m.Model) -> Iterator[Entry]:
-    """All fields, by set, descriptor, and the order of the specification."""
-    order = sorted((model.protocol.acknowledge, *model.fields), key=lambda f: (f.set, f.descriptor))
+    order = _ordered(model)
     index = {f.full_name: i for i, f in enumerate(order)}
     first = 0
     for f in order:
@@ -41,15 +69,8 @@ def entries(model: m.Model) -> Iterator[Entry]:
 
 # --------------------------------------------------------------------------- reflection
 
-_KINDS = {
-    m.ScalarOp: "NUMBER",
-    m.ConstantOp: "CONSTANT",
-    m.CounterOp: "COUNTER",
-    m.TextOp: "TEXT",
-    m.BitsOp: "BITS",
-    m.StructOp: "STRUCT",
-    m.SwitchOp: "UNION",
-}
+#: What C calls a kind of operation otherwise.
+_KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
 
 def names(t: m.Enum | m.Bitfield) -> str:
@@ -68,12 +89,7 @@ def numbers(t: m.Enum) -> str:
 
 def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
-    item, elements = p.operation, 1
-    while isinstance(item, m.ArrayOp):
-        if isinstance(p.element, m.Vector) and isinstance(item.item, m.ScalarOp):
-            elements = item.count or 1
-        item = item.item
-    e, op, full = p.element, p.operation, bare(record)
+    e, op, item, full = p.element, p.operation, p.operation.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
     scalar = upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8"
@@ -82,13 +98,13 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
     row = [
         literals.string(p.name),
         literals.string(", ".join(p.units)),
-        f"MIP_KIND_{_KINDS[type(item)]}",
+        f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
         f"MIP_SCALAR_{scalar}",
         f"MIP_LENGTH_{length}",
         str(op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) and p.length is not None else 1),
-        str(elements),
+        str(len(e.elements) if isinstance(e, m.Vector) else 1),
         str(numbers.get(by or "", 0)),
-        str(0 if union else _group(p, record)),
+        str(0 if union else presence.last(record).get(p.name, 0)),
         literals.number(p.constant or 0, item.scalar.size if isinstance(item, m.ConstantOp) else 1),
         *_place(p, record, union),
         f"&{names(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
@@ -98,14 +114,6 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         str(len(readings or p.cases)),
     ]
     return ", ".join(row)
-
-
-def _group(p: m.Parameter, record: Record) -> int:
-    """How many parameters are there when this one is; 0 if it always is."""
-    for op in record.operations:
-        if isinstance(op, m.GroupOp) and any(inner.member == p.name for inner in op.body):  # type: ignore[union-attr]
-            return op.last
-    return 0
 
 
 def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[str, str]:
@@ -118,13 +126,12 @@ def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[s
     return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.length == "rest" else "0"
 
 
-def reflection(f: m.Field, model: m.Model) -> str:
-    """The members of struct mip_reflection. A field that repeats another one has the same structure."""
-    name, original = field_name(f), bare(model.original(f))
-    table = f"required_{original}"
+def reflection(f: m.Field) -> str:
+    """The members of struct mip_reflection."""
+    name, table = field_name(f), f"required_{bare(f)}"
     row = [
         f"&{name}_codec",
-        f"&record_{original}",
+        f"&record_{bare(f)}",
         "true" if f.functions else "false",
         "true" if f.optional else "false",
         table if f.functions else "NULL",

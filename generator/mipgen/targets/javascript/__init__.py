@@ -1,65 +1,29 @@
-"""JavaScript: a codec that interprets the model, and tools for the browser."""
+"""JavaScript: a codec that interprets the model."""
 
 from __future__ import annotations
 
-import posixpath
-import re
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator
 
-from ... import model as m
-from ...render import File, language
-from ..json import document
-from ..json import identifiers as identifiers  # fields and types are found by the names that they have in JSON
-
-TITLE = "JavaScript modules without dependencies, tools for the browser"
-CONFORMANCE = ("parse", "decode", "encode")
-PROGRAM = "node"
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Target
+from mipgen.targets.json import api as json
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield from scripts(model)
+    yield File("model.mjs", "model.mjs.j2", {"text": json.text(model)})
     yield File("package.json", "package.json.j2")
-    taste = model.taste("taste.mjs")
-    if taste:
-        yield File("taste.mjs", "verbatim.j2", {"text": taste})
-    yield File("README.md", "README.md.j2", {"taste": taste.rstrip()})
+    quickstart = model.program("quickstart.mjs")
+    if quickstart:
+        yield File("quickstart.mjs", "verbatim.j2", {"text": quickstart})
+    yield File("README.md", "README.md.j2", {"quickstart": quickstart.rstrip()})
 
 
-def scripts(model: m.Model, folder: str = "", target: str | None = None) -> Iterator[File]:
-    """What pages with tools need: the model, and the modules as one script. Another target names this one."""
-    yield File(f"{folder}model.js", "model.js.j2", {"text": document.text(model)}, target)
-    yield File(f"{folder}mip.js", "mip.js.j2", language("javascript"), target)
-
-
-def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {"classic": classic}
-
-
-_IMPORT = re.compile(r"^(import|export) \{([^}]*)\} from \"([^\"]*)\";\n", re.M)
-_EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function\*?) (\w+))", re.M)
-
-
-def classic(text: str, name: str) -> str:
-    """A module as a function with names of its own, which puts what it exports into `modules`.
-
-    >>> print(classic('import { a } from "./a.mjs";\\n\\nexport const b = a + 1;\\n', "mip/b"))
-    modules["mip/b"] = (() => {
-    const { a } = modules["mip/a"];
-    <BLANKLINE>
-    const b = a + 1;
-    <BLANKLINE>
-    return { b };
-    })();
-    """
-    exported = [match[1] for match in _EXPORT.finditer(text)]
-
-    def held(match: re.Match[str]) -> str:
-        names = " ".join(match[2].split()).rstrip(",")
-        if match[1] == "export":
-            exported.extend(names.split(", "))
-        other = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[3])).removesuffix(".mjs")
-        return f'const {{ {names} }} = modules["{other}"];\n'
-
-    inner = _EXPORT.sub("", _IMPORT.sub(held, text))
-    return f'modules["{name}"] = (() => {{\n{inner}\nreturn {{ {", ".join(exported)} }};\n}})();'
+TARGET = Target(
+    title="JavaScript modules without dependencies",
+    files=files,
+    identifiers=json.identifiers,  # fields and types are found by the names that they have in JSON
+    rename=package.in_source,
+    conformance=("parse", "decode", "encode"),
+    program="node",
+)

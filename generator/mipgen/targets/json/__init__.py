@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from ... import model as m
-from ...naming import Identifier
-from ...render import File
-from ...typical import Typical
-from . import document, names
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Identifier, Target
+from mipgen.facts.sample_values import SampleValues
 
-TITLE = "the specification as JSON, with a JSON Schema"
-CONFORMANCE = ("decode", "encode")
+from . import document, names
 
 
 def files(model: m.Model) -> Iterator[File]:
     yield File("mip.json", "mip.json.j2", {"text": document.text(model)})
-    yield File(
-        "README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model), "typical": Typical(model)}
-    )
+    yield File("README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model)})
 
 
 def shown(model: m.Model) -> m.Field:
@@ -39,4 +35,14 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {"lines": document.lines}
+    return {"lines": lambda f: document.lines(f, model.derived(SampleValues))}
+
+
+TARGET = Target(
+    title="the specification as JSON, with a JSON Schema",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.in_source,
+    conformance=("decode", "encode"),
+)

@@ -11,12 +11,12 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from ... import guided
-from ... import model as m
-from ...simulated import Quantity
-from ...typical import Typical
-from .names import symbols, type_name
-from .programs import programs
+from mipgen import model as m
+from mipgen.facts.sample_values import SampleValues
+from mipgen.model import guides, simulation
+from mipgen.model.simulation import Quantity
+
+from .names import programs, symbols, type_name
 
 #: The version of the form of the document, as the README explains it; the schema states it too.
 FORMAT = "1.0"
@@ -25,26 +25,21 @@ FORMAT = "1.0"
 LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Parameter: ("element", "operation", "cases", "typical"),  # typical values are with the calls of fields
     Quantity: ("typical",),
-    m.Field: ("set_name", "functions"),
+    m.Field: ("family", "occurrences", "everywhere", "functions"),
     m.Struct: ("owner",),
     m.Enum: ("owner",),
     m.Bitfield: ("owner",),
     m.Device: ("variants",),  # each is with its parameter
-    m.Support: ("functions",),
+    m.Support: ("set", "functions"),
+    simulation.Source: ("set",),
     m.Variant: ("only",),
-    guided.Shown: ("data",),  # in the packet
+    guides.Shown: ("data",),  # in the packet
 }
 
 
-#: The model whose document was made last, and its text: several targets have it in one of their files.
-_last: list[Any] = [None, ""]
-
-
 def text(model: m.Model) -> str:
-    """The document: one line for each item of a list."""
-    if _last[0] is not model:
-        _last[:] = model, _text(model)
-    return str(_last[1])
+    """The document: one line for each item of a list. Several targets have it in one of their files."""
+    return model.derived(_text)
 
 
 def _text(model: m.Model) -> str:
@@ -60,9 +55,9 @@ def _laid_out(value: Any) -> str:
     return line(value)
 
 
-def lines(f: m.Field, typical: Typical) -> str:
+def lines(f: m.Field, samples: SampleValues) -> str:
     """A field, one line for each attribute."""
-    found = _with_typical(f, typical)
+    found = _with_samples(f, samples)
     return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in found.items()) + "\n}"
 
 
@@ -71,11 +66,13 @@ line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 
 
 def document(model: m.Model) -> dict[str, Any]:
-    p, typical = model.protocol, Typical(model)
+    p, samples = model.protocol, model.derived(SampleValues)
     return {
         "$schema": "mip.schema.json",
         "format": FORMAT,
         "name": p.name,
+        "title": p.title,
+        "package": p.package,
         "version": p.version,
         "packet": {"sync": list(p.sync), "max_payload": p.max_payload, "max_field_data": m.MAX_FIELD_DATA},
         "acknowledge": p.acknowledge.full_name,
@@ -89,8 +86,8 @@ def document(model: m.Model) -> dict[str, Any]:
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
         "types": [_attributes(t) for t in types(model)],
-        "sets": [_attributes(s) for s in model.sets],
-        "fields": [_with_typical(f, typical) for f in (p.acknowledge, *model.fields)],
+        "sets": [_set(s, model) for s in model.sets],
+        "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
         "devices": [_attributes(d) for d in model.devices],
         "examples": plain(model.examples),
         "errata": plain(model.errata),
@@ -127,6 +124,8 @@ def plain(value: Any) -> Any:
             return value.id
         case m.Support():
             return _support(value)
+        case simulation.Source():
+            return _attributes(value) | ({"field": value.field.name_in(value.set)} if value.set is not None else {})
         case bytes():
             return value.hex()
         case dict():
@@ -180,7 +179,9 @@ def _parameter(p: m.Parameter, found: dict[str, Any]) -> dict[str, Any]:
 
 def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
     """Names are full: those of responses, and of the command that owns a response."""
-    found |= {"name": f.full_name, "symbols": symbols(f)}
+    found = {"set": f.set, **found, "name": f.full_name, "symbols": symbols(f)}
+    if [f.name_in(o.set) for o in f.occurrences] != [f.full_name]:
+        found["occurrences"] = [_occurrence(o, f) for o in f.occurrences]
     if f.functions:
         found["calls"] = [
             {"function": c.function.name, "required": _names(c.required), "optional": _names(c.optional)}
@@ -188,18 +189,34 @@ def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
             if c.function is not None
         ]
     if f.responses:
-        found["responses"] = [f"{f.set_name}.{name}" for name in f.responses]
+        found["responses"] = [f"{f.family}.{name}" for name in f.responses]
     if f.command:
-        found["command"] = f"{f.set_name}.{f.command}"
+        found["command"] = f"{f.family}.{f.command}"
     if f.constants:
         found["constants"] = [{"offset": at, "size": op.size, "value": op.value} for at, op in f.constants]
     return found
 
 
-def _with_typical(f: m.Field, typical: Typical) -> dict[str, Any]:
+def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
+    """A set with the fields that occur in it, and what belongs to its family."""
+    family = model.family(s.family)
+    assert family is not None
+    more = {"types": plain(family.types), "fields": plain(model.fields_in(s))}
+    return _attributes(s) | more | ({"named": plain(family.named)} if family.named else {})
+
+
+def _occurrence(o: m.Occurrence, f: m.Field) -> dict[str, Any]:
+    found = _attributes(o)
+    del found["set_name"]
+    if o.title == f.title:
+        del found["title"]
+    return {"set": o.set, "name": f.name_in(o.set)} | found
+
+
+def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
     """A field with the values that a user would send or see."""
     found = _attributes(f)
-    values = [typical.whole(f, c) for c in f.calls]
+    values = [samples.whole(f, c) for c in f.calls]
     if f.functions:
         found["calls"] = [{**c, "typical": v} if v else c for c, v in zip(found["calls"], values, strict=True)]
     elif values[0]:
@@ -208,7 +225,7 @@ def _with_typical(f: m.Field, typical: Typical) -> dict[str, Any]:
 
 
 def _support(s: m.Support) -> dict[str, Any]:
-    found = _attributes(s)
+    found = _attributes(s) | {"field": s.name}
     return {**found, "functions": _names(s.functions)} if s.differs else found
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from ... import model as m
-from ..c import names as c
-from ..python import names as python
-from ..rust import names as rust
+from typing import Any
+
+from mipgen import model as m
+from mipgen.targets.c import api as c
+from mipgen.targets.python import api as python
+from mipgen.targets.rust import api as rust
 
 
 def type_name(t: m.Scalar | m.Type) -> str:
@@ -16,9 +18,12 @@ def type_name(t: m.Scalar | m.Type) -> str:
 
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:
     """What C, Python and Rust call the type of a field, or a type of the specification."""
-    home = python.qualified(thing).removeprefix("protocol.")
-    return {
-        "c": c.field_name(thing) if isinstance(thing, m.Field) else c.type_name(thing),
-        "python": f"mip_protocol.{home}",
-        "rust": f"mip_protocol::{rust.home(thing)}::{rust.type_name(thing.name)}",
-    }
+    return {"c": c.symbol(thing), "python": python.symbol(thing), "rust": rust.symbol(thing)}
+
+
+def programs(model: m.Model) -> dict[str, dict[str, Any]]:
+    """What programs in C, Python and Rust need besides `symbols`, so that a tool can write calls of the bindings.
+
+    A table has the names that a language writes in another way than the specification; all others stay as they are.
+    """
+    return {"c": c.writing(model), "python": python.writing(model), "rust": rust.writing(model)}

@@ -7,23 +7,24 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from ... import describe
-from ... import model as m
-from ...naming import Identifier
-from ...render import File
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Identifier, Target
+from mipgen.facts import describe
+from mipgen.lower import presence
+
 from . import expressions, names
 from .names import member, type_name, value
-
-TITLE = "Kaitai Struct, mip.ksy"
-CONFORMANCE = ("decode",)
-NEEDS = "Kaitai Struct with Node"
 
 #: The documentation of a parameter besides its description.
 TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield File("mip.ksy", "mip.ksy.j2", {"kinds": kinds(model), "kind": kind(model), "enums": enums(model)})
+    found = kinds(model)
+    several = {home(fields): fields for _, _, fields in found if len(fields) > 1}
+    known = {"kinds": found, "several": several.items(), "kind": kind(model), "enums": enums(model)}
+    yield File("mip.ksy", "mip.ksy.j2", known)
     yield File("README.md", "README.md.j2", {"readings": readings(model)})
 
 
@@ -33,11 +34,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "value": value,
         "type": type_name,
         "scalar": names.SCALARS.__getitem__,
-        "home": lambda fields: home(fields, model),
-        "original": model.original,
+        "home": home,
         "cases": lambda op: names.cases(member(op.member)),
         "unions": unions,
-        "presence": expressions.presence,
+        "presence": expressions.present,
         "count": expressions.count,
         "peeks": expressions.peeks,
         "rests": expressions.rests,
@@ -57,25 +57,25 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
-    """Every descriptor that can be decoded: its number (set, descriptor), its name, and its layouts."""
+    """Every descriptor that can be decoded: its number (set, descriptor), its name in that set, and its layouts."""
     found: dict[tuple[int, int], list[m.Field]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
-        found.setdefault((f.set, f.descriptor), []).append(f)
-    return [(s << 8 | d, type_name(fields[0]), tuple(fields)) for (s, d), fields in sorted(found.items())]
+        for o in f.occurrences:
+            found.setdefault((o.set, f.descriptor), []).append(f)
+    return [(s << 8 | d, names.kind_name(fields[0], s), tuple(fields)) for (s, d), fields in sorted(found.items())]
 
 
-def home(fields: tuple[m.Field, ...], model: m.Model) -> str:
+def home(fields: tuple[m.Field, ...]) -> str:
     """The type of a descriptor's data."""
-    return type_name(model.original(fields[0])) if len(fields) == 1 else f"{type_name(fields[0])}_layouts"
+    return type_name(fields[0]) if len(fields) == 1 else f"{type_name(fields[0])}_layouts"
 
 
 def kind(model: m.Model) -> str:
     """The number of a descriptor in `kinds`; the acknowledge field and shared fields are in many sets."""
-    ack, shared = model.protocol.acknowledge.descriptor, model.set(m.SHARED_SET)
-    numbers = {f.descriptor for f in shared.fields} if shared else set()
-    own = sorted(
-        {(f.set, f.descriptor) for f in model.fields if 0x80 <= f.set < m.SHARED_SET and f.descriptor in numbers}
-    )
+    ack = model.protocol.acknowledge.descriptor
+    numbers = {f.descriptor for f in model.fields if f.everywhere}
+    every = ((o.set, f.descriptor) for f in model.fields if not f.everywhere for o in f.occurrences)
+    own = sorted({(s, d) for s, d in every if s in m.DATA_SETS and d in numbers})
     terms = [f"set < 0x80 and descriptor == {ack:#04x} ? {ack:#06x}"]
     if numbers:
         but = "".join(f" and not (set == {s:#04x} and descriptor == {d:#04x})" for s, d in own)
@@ -85,8 +85,8 @@ def kind(model: m.Model) -> str:
 
 
 def records(model: m.Model) -> list[m.Field]:
-    """The fields that have a type of their own; others repeat one of another set."""
-    return [model.protocol.acknowledge, *(f for f in model.fields if f.definition is None)]
+    """The fields, each of which has a type."""
+    return [model.protocol.acknowledge, *model.fields]
 
 
 def enums(model: m.Model) -> list[m.Enum]:
@@ -109,7 +109,7 @@ def readings(model: m.Model) -> dict[str, list[str]]:
 
 
 def unions(record: expressions.Record) -> list[m.SwitchOp]:
-    return [op for op in expressions.single(record.operations) if isinstance(op, m.SwitchOp)]
+    return [op for op in presence.single(record.operations) if isinstance(op, m.SwitchOp)]
 
 
 # --------------------------------------------------------------------------- texts
@@ -175,7 +175,7 @@ def _names(model: m.Model) -> Iterator[Named]:
     for number, name, fields in kinds(model):
         yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
         if len(fields) > 1:
-            yield "mip", f"{name}_layouts", f"layouts of {fields[0].full_name}", fields[0].position
+            yield "mip", home(fields), f"layouts of {fields[0].full_name}", fields[0].position
     for f in records(model):
         yield "mip", type_name(f), f.full_name, f.position
         yield from _members(f, f.position)
@@ -207,3 +207,15 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
                 yield scope, peek.name, f"{peek.op.member}, read ahead", place
             for rest in expressions.rests(t):
                 yield scope, rest.name, f"the number of {rest.array}", place
+
+
+TARGET = Target(
+    title="Kaitai Struct, mip.ksy",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.everywhere,
+    grammar=names.GRAMMAR,
+    conformance=("decode",),
+    needs="Kaitai Struct with Node",
+)

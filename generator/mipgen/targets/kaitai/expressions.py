@@ -5,53 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from ... import codec
-from ... import model as m
-from ... import operations as sizes
+from mipgen import model as m
+from mipgen.lower import extent, presence
+from mipgen.lower.extent import Extent
+
 from .names import member, type_name, value
 
 Record = m.Field | m.Struct
 
 
-@dataclass(frozen=True, slots=True)
-class Extent:
-    """A number of bytes: some, and those of arrays that earlier parameters count."""
-
-    fixed: int = 0
-    counted: tuple[str, ...] = ()
-
-    def __add__(self, other: Extent) -> Extent:
-        return Extent(self.fixed + other.fixed, self.counted + other.counted)
-
-    def __str__(self) -> str:
-        return " + ".join([*([str(self.fixed)] if self.fixed or not self.counted else []), *self.counted])
-
-    def __bool__(self) -> bool:
-        return bool(self.fixed or self.counted)
+def least(operations: Iterable[m.Operation]) -> Extent:
+    """The bytes that must be there, once counters are known."""
+    return extent.shortest(operations).counted
 
 
-def extent(op: m.Operation, within: str = "") -> Extent:
-    """The bytes of an operation, once its counters are known; of what has no end to come, those that must be there."""
-    match op:
-        case m.GroupOp():
-            return _sum(op.body, within)
-        case m.StructOp():
-            return _sum(op.struct.operations, f"{within}{member(op.member)}.")
-        case m.ArrayOp() | m.TextOp() if op.counter is not None:
-            each = codec.size_of(op.item) if isinstance(op, m.ArrayOp) else 1
-            count = within + member(op.counter)
-            return Extent(0, (count if each == 1 else f"{count} * {each}",))
-        case _:
-            return Extent(sizes.size(op)[0])
+def bytes_of(e: Extent) -> str:
+    """
+    >>> bytes_of(Extent(2) + Extent(0, (extent.Term(3, "body.points"),)))
+    '2 + body.points * 3'
+    """
+    counted = [_path(t.counter) + (f" * {t.size}" if t.size > 1 else "") for t in e.terms]
+    return " + ".join([*([str(e.fixed)] if e.fixed or not counted else []), *counted])
 
 
-def _sum(operations: Iterable[m.Operation], within: str) -> Extent:
-    return sum((extent(op, within) for op in operations), Extent())
-
-
-def single(operations: Iterable[m.Operation]) -> list[m.Operation]:
-    """The operations in order, those of groups too."""
-    return [inner for op in operations for inner in (op.body if isinstance(op, m.GroupOp) else (op,))]
+def _path(words: str) -> str:
+    return ".".join(map(member, words.split(".")))
 
 
 # --------------------------------------------------------------------------- counts
@@ -59,16 +37,18 @@ def single(operations: Iterable[m.Operation]) -> list[m.Operation]:
 
 def count(op: m.CounterOp, record: Record) -> str:
     """What a count must obey: the elements fit into the rest of the data, and into a field."""
-    after = single(record.operations)
+    after = presence.single(record.operations)
     after = after[after.index(op) + 1 :]
-    at = next(i for i, x in enumerate(after) if getattr(x, "member", None) == op.array)
-    array, between = after[at], _sum(after[:at], "")
+    at = next(i for i, x in enumerate(after) if x.member == op.array)
+    array, before = after[at], least(after[:at])
     assert isinstance(array, (m.ArrayOp, m.TextOp))
-    each = codec.size_of(array.item) if isinstance(array, m.ArrayOp) else 1
+    each, between = extent.element(array), bytes_of(before)
     needed = f"_ * {each}" if each > 1 else "_"
-    fits = f"_ <= {array.capacity} and {needed}{f' + {between}' if between else ''} <= _io.size - _io.pos"
+    if before == Extent():
+        return f"_ <= {array.capacity} and {needed} <= _io.size - _io.pos"
+    fits = f"_ <= {array.capacity} and {needed} + {between} <= _io.size - _io.pos"
     # Data that end before the array are another mistake, which reading on finds.
-    return f"_io.size - _io.pos < {between} or ({fits})" if between else fits
+    return f"_io.size - _io.pos < {between} or ({fits})"
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,8 +63,8 @@ class Rest:
 
 def rests(record: Record) -> list[Rest]:
     return [
-        Rest(f"{member(op.member)}_count", op.member, codec.size_of(op.item))
-        for op in single(record.operations)
+        Rest(f"{member(op.member)}_count", op.member, extent.element(op))
+        for op in presence.single(record.operations)
         if isinstance(op, m.ArrayOp) and op.count is None and op.counter is None
     ]
 
@@ -97,15 +77,19 @@ class Peek:
     """The tag of a union inside a structure, read before the structure is: whether that is whole depends on it."""
 
     name: str
-    at: Extent
+    place: Extent
     op: m.ScalarOp
 
     @property
-    def end(self) -> Extent:
-        return self.at + extent(self.op)
+    def at(self) -> str:
+        return bytes_of(self.place)
+
+    @property
+    def end(self) -> str:
+        return bytes_of(self.place + least([self.op]))
 
 
-def presence(op: m.GroupOp, f: m.Field) -> str:
+def present(op: m.GroupOp, f: m.Field) -> str:
     """When the parameters of a group are there; empty if always."""
     required = [c.function for c in f.calls if len(c.required) >= op.last]
     if required == [None]:
@@ -116,11 +100,11 @@ def presence(op: m.GroupOp, f: m.Field) -> str:
 
 
 def peeks(record: Record) -> list[Peek]:
-    """The tags that `presence` reads ahead."""
+    """The tags that `present` reads ahead."""
     found: list[Peek] = []
-    for op in record.operations:
-        if isinstance(record, m.Field) and isinstance(op, m.GroupOp) and presence(op, record):
-            list(_room(op, record, found))
+    for group in presence.groups(record):
+        if isinstance(record, m.Field) and present(group, record):
+            list(_room(group, record, found))
     return found
 
 
@@ -130,28 +114,24 @@ def _room(group: m.GroupOp, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
     A count that is too large is another mistake, so the elements of an array do not matter.
     """
     before = f.operations[: f.operations.index(group)]
-    begin = _sum(before, "")
-    if begin.counted:  # the counters, without which that is not known
-        yield f"_io.size >= {sum(extent(op).fixed for op in single(before))}"
+    begin = least(before)
+    if begin.terms:  # the counters, without which that is not known
+        yield f"_io.size >= {begin.fixed}"
     at = begin
     for op in group.body:
         if isinstance(op, m.SwitchOp):
-            yield f"_io.size > {at}"
+            yield f"_io.size > {bytes_of(at)}"
             whole = [f"({tag} and {' and '.join(inside)})" for tag, inside in _cases(op, member(op.tag), at, peeks)]
             yield f"({' or '.join(whole)})" if whole else "false"
             return
         if isinstance(op, m.StructOp):
             yield from _whole(op, at, peeks)
         at += _head(op)
-    yield f"_io.size {'>' if at == begin else '>='} {at}"
+    yield f"_io.size {'>' if at == begin else '>='} {bytes_of(at)}"
 
 
 def _head(op: m.Operation) -> Extent:
-    return Extent() if _counted(op) else extent(op)
-
-
-def _counted(op: m.Operation) -> bool:
-    return isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None
+    return Extent() if op.open else least([op])
 
 
 def _cases(op: m.SwitchOp, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[tuple[str, list[str]]]:
@@ -164,12 +144,12 @@ def _cases(op: m.SwitchOp, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[
 def _whole(op: m.Operation, at: Extent, peeks: list[Peek]) -> Iterator[str]:
     """Conditions for what is at a place to fit into the data."""
     if not isinstance(op, m.StructOp):
-        yield f"_io.size >= {at + _head(op)}"
+        yield f"_io.size >= {bytes_of(at + _head(op))}"
         return
     places: dict[str, tuple[Extent, m.Operation]] = {}
     for inner in op.struct.operations:
         if isinstance(inner, m.SwitchOp):
-            yield f"_io.size >= {at}"
+            yield f"_io.size >= {bytes_of(at)}"
             place, found = places[inner.tag]
             assert isinstance(found, m.ScalarOp)
             peek = Peek(f"{member(op.member)}_{member(inner.tag)}", place, found)
@@ -177,10 +157,9 @@ def _whole(op: m.Operation, at: Extent, peeks: list[Peek]) -> Iterator[str]:
             for tag, inside in _cases(inner, peek.name, at, peeks):
                 yield f"(not ({tag}) or ({' and '.join(inside)}))"
             return
-        if not isinstance(inner, m.GroupOp):
-            places[inner.member] = at, inner
+        places[inner.member] = at, inner
         at += _head(inner)
-    yield f"_io.size >= {at}"
+    yield f"_io.size >= {bytes_of(at)}"
 
 
 # --------------------------------------------------------------------------- layouts

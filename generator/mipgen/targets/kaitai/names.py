@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ... import model as m
-from ...naming import Escape
-from ...render import language
+from mipgen import model as m
+from mipgen.emit.naming import Escape, Grammar
+from mipgen.emit.render import language
 
 _LANGUAGE = language("kaitai")
 _RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
@@ -27,8 +27,13 @@ def type_name(thing: m.Type | m.Field) -> str:
     >>> type_name(m.Vector("vector3f", m.SCALARS["float"], ("x", "y", "z"), ""))
     'vector3f'
     """
-    owner = thing.set_name if isinstance(thing, m.Field) and thing.set else getattr(thing, "owner", None)
+    owner = thing.family if isinstance(thing, m.Field) and thing.set else getattr(thing, "owner", None)
     return _type(f"{owner}_{thing.name}" if owner else thing.name)
+
+
+def kind_name(f: m.Field, number: int) -> str:
+    """A field in one of its sets."""
+    return _type(f.name_in(number).replace(".", "_")) if f.set else type_name(f)
 
 
 def joined(name: str) -> str:
@@ -44,3 +49,7 @@ def joined(name: str) -> str:
 def cases(union: str) -> str:
     """The type of a union, inside that of its record."""
     return f"{union}_cases"
+
+
+#: Identifiers as `joined` writes them.
+GRAMMAR = Grammar(r"[a-z][A-Za-z0-9]*", frozenset(map(joined, _RESERVED)))

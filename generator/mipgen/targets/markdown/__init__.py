@@ -12,10 +12,10 @@ from typing import Any
 from jinja2 import pass_context
 from jinja2.runtime import Context
 
-from ... import model as m
-from ...naming import Identifier
-from ...render import File
-from .. import javascript
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Identifier, Target
+
 from . import (
     answers,
     comparison,
@@ -27,8 +27,8 @@ from . import (
     packets,
     parameters,
     places,
-    programs,
     related,
+    snippets,
     sources,
     text,
     tools,
@@ -36,9 +36,6 @@ from . import (
 )
 from .index import Index
 from .places import Page, Thing
-
-TITLE = "Reference manual in Markdown, a site with MkDocs"
-LONG = True
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -55,18 +52,17 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.INDEX, "index.md.j2")
     yield page(places.PACKETS, "packets.md.j2")
     yield page(places.UNITS, "units.md.j2")
-    yield page(places.TYPES, "types.md.j2", set=None)
+    yield page(places.TYPES, "types.md.j2", family=None)
     yield page(places.ERRATA, "errata.md.j2")
     yield page(places.EXAMPLES, "examples.md.j2")
     for tool in tools.TOOLS:
-        yield page(places.tool_page(tool), "tool.md.j2", tool=tool, start=tools.start(tool, model))
-    yield from javascript.scripts(model, tools.FOLDER, "javascript")
-    yield File(f"{tools.FOLDER}tools.css", "runtime/tools/tools.css", target="javascript")
+        yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
     for s in model.sets:
-        yield page(places.set_page(s.name), "set.md.j2", set=s)
-        if s.types:
-            yield page(places.types_page(s.name), "types.md.j2", set=s)
-        for f in fields.asked(s):
+        yield page(places.set_page(s.name), "set.md.j2", set=s, family=model.family(s.family))
+    for x in model.families:
+        if x.types:
+            yield page(places.types_page(x.name), "types.md.j2", family=x)
+        for f in fields.asked(x.fields):
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
@@ -98,6 +94,7 @@ FILTERS: Filters = {
     "inline": text.inline,
     "spaced": text.spaced,
     "label": places.label,
+    "descriptors": places.descriptors,
     "types_page": places.types_page,
     "comparison_page": places.comparison_page,
     "index_page": places.index_page,
@@ -111,7 +108,7 @@ FILTERS: Filters = {
     "note_table": devices.note_table,
     "of_manual": sources.of_manual,
     "severities": sources.severities,
-    "own_lines": sources.own_lines,
+    "defined": sources.defined,
     "heading": guides.heading,
     "step_title": guides.title,
     "bandwidth": guides.bandwidth,
@@ -139,10 +136,11 @@ FILTERS_OF_PAGE: Filters = {
     "ready_packets": packets.ready_packets,
     "answers": answers.answers,
     "shown_examples": examples.shown_examples,
-    "programs": programs.programs,
+    "programs": snippets.programs,
     "related": related.related,
     "field_values": parameters.field_values,
     "contents": fields.contents,
+    "occurrences": sources.occurrences,
     "named": fields.named,
     "uncertain": fields.uncertain,
     "parameter_list": parameters.parameter_list,
@@ -200,3 +198,13 @@ def _of_page(function: Callable[..., Any]) -> Callable[..., Any]:
         return function(context["page"], *arguments)
 
     return on_page
+
+
+TARGET = Target(
+    title="Reference manual in Markdown, a site with MkDocs",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.in_source,
+    slow=True,
+)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ... import model as m
+from mipgen import model as m
+
 from .packets import acknowledge
 from .places import Page
 from .text import code, spaced, table
@@ -20,7 +21,7 @@ def answers(page: Page, f: m.Field) -> str:
         rows.append(["Acknowledge", _packet(page, f, codes[0].value), _code(codes[0])])
     for reply in asks:
         for r in reply.layouts:
-            data = page.index.typical.data(r)
+            data = page.index.samples.data(r)
             with_data = code(spaced(acknowledge(page.model, f, codes[0].value, (r.descriptor, data))))
             rows.append([f"Acknowledge and {page.link(r)}", with_data, _code(codes[0])])
     for refusal in codes[1:]:

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TypeVar
 
-from ... import describe
-from ... import model as m
+from mipgen import model as m
+from mipgen.facts import describe
+
 from .devices import base_rate, limit
 from .offsets import layout
 from .places import Page, label
@@ -98,15 +99,16 @@ def known(d: m.Device) -> str:
 def fields(page: Page, role: m.Role) -> list[Section]:
     """A table for each set: which devices support its commands or data fields, and with which functions."""
     devices = compared(page.model)
-    support = {(d.id, s.field.full_name): s for d in devices for s in d.supports}
+    support = {(d.id, s.name): s for d in devices for s in d.supports}
 
-    def row(f: m.Field) -> list[str]:
-        cells = [supported(d, support.get((d.id, f.full_name))) for d in devices]
+    def row(f: m.Field, number: int) -> list[str]:
+        cells = [supported(d, support.get((d.id, f.name_in(number)))) for d in devices]
         measured = [", ".join(map(inline, units(f)))] if role == m.DATA else []
         return [code(hexadecimal(f.descriptor)), page.link(f, inline(f.title)), *measured, *cells]
 
     headings = ["Descriptor", "Field", *(["Units"] if role == m.DATA else []), *map(page.link, devices)]
-    found = [(s, [row(f) for f in s.fields if f.role == role]) for s in page.model.sets]
+    of = page.model.fields_in
+    found = [(s, [row(f, s.number) for f in of(s) if f.role == role]) for s in page.model.sets]
     return [Section(label(s), table(rows, headings)) for s, rows in found if rows]
 
 
@@ -178,7 +180,7 @@ def _matrix(
 
 def _rate(d: m.Device, s: m.Set) -> str:
     """Where a device has the set and no rate is given, the rate is not known."""
-    has = any(x.field.set == s.number for x in d.supports)
+    has = any(x.set == s.number for x in d.supports)
     return base_rate(d, s) or (UNKNOWN if has else missing(d))
 
 

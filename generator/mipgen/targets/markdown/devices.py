@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ... import describe
-from ... import model as m
+from mipgen import model as m
+from mipgen.facts import describe
+
 from .fields import ENTRY, entry
 from .places import Page
 from .text import code, hexadecimal, inline, opening, table
@@ -11,7 +12,7 @@ from .text import code, hexadecimal, inline, opening, table
 
 def supported(page: Page, d: m.Device, s: m.Set) -> str:
     """The fields of a set that a device supports, with the functions that it takes; empty if there are none."""
-    rows = [entry(page, x.field, x.functions, d) for x in d.certain if x.field.set == s.number]
+    rows = [entry(page, x.field, x.functions, d) for x in d.certain if x.set == s.number]
     return table(rows, ENTRY) if rows else ""
 
 
@@ -20,7 +21,7 @@ def perhaps(page: Page, d: m.Device) -> list[tuple[str, str]]:
     found: dict[str, list[list[str]]] = {}
     for x in d.supports:
         if x.evidence is not None:
-            of = page.model.set(x.field.set)
+            of = page.model.set(x.set)
             assert of is not None
             found.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions, d)])
     return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in found.items()]

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from ... import codec, describe, descriptors
-from ... import model as m
-from ...checks import differences
+from mipgen import model as m
+from mipgen.facts import describe, descriptors
+from mipgen.facts.misprints import differences
+from mipgen.lower import codec, extent
+
 from .fields import on_page
 from .places import Page
 from .text import code, decimal, hexadecimal, inline, plain, spaced, table
@@ -97,7 +99,7 @@ def shown_examples(page: Page, f: m.Field) -> list[Shown]:
 
 def made(page: Page, f: m.Field) -> m.Example:
     """An example of typical values."""
-    values, packet = page.index.typical.values(f, f.calls[0]), page.index.typical.packet(f)
+    values, packet = page.index.samples.values(f, f.calls[0]), page.index.samples.packet(f)
     part = m.ExampleField(f.full_name, f.descriptor, codec.encode(f, values), values, 0, None)
     role: Literal["command", "data"] = "command" if f.role == m.COMMAND else "data"
     return m.Example("", "", "", "", role, None, None, packet, (part,), "")
@@ -149,8 +151,8 @@ def _parameter(p: m.Parameter, value: Any, around: Around, data: bytes, name: st
             for i, one in enumerate(value):
                 rest = data[i * inner.max_size :]
                 yield from _record(around.inside(p, inner, one), rest, f"{name}[{i}].")
-        case m.ArrayOp(item=m.ArrayOp() as item):
-            size = codec.size_of(item)
+        case m.ArrayOp(item=m.ArrayOp()) as op:
+            size = extent.element(op)
             for i, one in enumerate(value):
                 yield Piece(data[i * size : (i + 1) * size], code(f"{name}[{i}]"), _numbers(p, one, around))
         case m.SwitchOp():

@@ -6,9 +6,11 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from ... import codec, describe
-from ... import model as m
-from .offsets import Extent, totals
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.lower import codec
+from mipgen.lower.extent import Extent, totals
+
 from .places import Page
 from .text import code, hexadecimal, inline, opening, spaced, table
 
@@ -115,8 +117,13 @@ def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device |
 def contents(page: Page, s: m.Set) -> str:
     """The commands or data fields of a set."""
     rows = [
-        [*entry(page, f, f.functions), first_sentence(page, f), size(f), page.links(page.model.devices_of(f))]
-        for f in asked(s)
+        [
+            *entry(page, f, f.functions),
+            first_sentence(page, f),
+            size(f),
+            page.links(page.model.devices_of(f, number=s.number)),
+        ]
+        for f in asked(page.model.fields_in(s))
     ]
     return table(rows, [*ENTRY, "Description", "Field length", "Supported by"])
 
@@ -128,20 +135,20 @@ def first_sentence(page: Page, f: m.Field) -> str:
 
 def size(f: m.Field) -> str:
     """How long a field may be, from the shortest form to the longest."""
-    low = min(codec_size(c) for c in f.calls) if f.role == m.COMMAND else f.min_size
+    low = min(_shortest(c) for c in f.calls) if f.role == m.COMMAND else f.min_size
     return f"{low + 2}" if low == f.max_size else f"{low + 2} to {f.max_size + 2}"
 
 
-def codec_size(c: m.Call) -> int:
+def _shortest(c: m.Call) -> int:
     """The bytes of the shortest data of a form."""
-    found = totals((p.operation for p in c.required), Extent(1 if c.function else 0))
-    return min(e.fixed for e in found)
+    return totals((p.operation for p in c.required), Extent(1 if c.function else 0))[0].fixed
 
 
 def named(page: Page, s: m.Set) -> str:
     """The descriptors that sources name without a layout; empty if there are none."""
     rows = []
-    for x in s.named:
+    family = page.model.family(s.family)
+    for x in family.named if family else ():
         links = {
             c.manual: page.link(next(k for k in page.model.protocol.manuals if k.id == c.manual)) for c in x.sources
         }
@@ -152,14 +159,14 @@ def named(page: Page, s: m.Set) -> str:
     return table(rows, headings) if rows else ""
 
 
-def uncertain(page: Page, thing: m.Set | m.Type) -> list[str]:
+def uncertain(page: Page, thing: m.Set | m.Family | m.Type) -> list[str]:
     """What is not sure about a set or a type; a field has it among its facts."""
     return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
 
 
-def asked(s: m.Set) -> list[m.Field]:
-    """The fields of a set that are no responses; these are with their commands."""
-    return [f for f in s.fields if f.role != m.RESPONSE]
+def asked(fields: Sequence[m.Field]) -> list[m.Field]:
+    """The fields that are no responses; these are with their commands."""
+    return [f for f in fields if f.role != m.RESPONSE]
 
 
 def on_page(page: Page, f: m.Field) -> list[m.Field]:

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal
 
-from ... import codec, describe
-from ... import model as m
-from ...guided import Guide, Step, Stream
-from ...guided import Sequence as Steps
-from ...typical import Given
-from ..c import snippets as c
-from ..python import snippets as python
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.facts.sample_values import GivenValues
+from mipgen.lower import codec
+from mipgen.model.guides import Guide, Step, Stream
+from mipgen.model.guides import Sequence as Steps
+
 from . import examples
 from .devices import hertz
 from .places import Page
-from .programs import Program
+from .snippets import Program, sequences
 from .text import code, inline, plain, spaced, table
 
 #: Longer packets stand with their step only, and not in the overview.
@@ -182,12 +182,11 @@ def programs(page: Page, steps: Steps, guide: Guide) -> list[Program]:
     """The same sequence in each language that has a target here."""
     sent = [(s.command, _given(page, s)) for s in steps.steps]
     name = guide.name if len(guide.sequences) == 1 else f"{guide.name}_{guide.sequences.index(steps) + 1}"
-    found = (c.sequence(name, sent), python.sequence(sent), page.index.rust.sequence(sent))
-    return [Program(*x) for x in zip(("C", "Python", "Rust"), ("c", "python", "rust"), found, strict=True)]
+    return sequences(page, name, sent)
 
 
-def _given(page: Page, step: Step) -> Given:
-    return Given(page.model, _call(step), step.values, step.host)
+def _given(page: Page, step: Step) -> GivenValues:
+    return GivenValues(page.model, _call(step), step.values, step.host)
 
 
 def _call(step: Step) -> m.Call:
@@ -285,7 +284,7 @@ def added(page: Page, guide: Guide) -> Iterator[str]:
     known = {s.field.full_name for s in move.before.supports}
     for s in page.model.sets:
         new: Sequence[m.Field] = [
-            x.field for x in move.after.certain if x.field.set == s.number and x.field.full_name not in known
+            x.field for x in move.after.certain if x.set == s.number and x.field.full_name not in known
         ]
         if new:
             yield f"{page.link(s)}: {', '.join(page.link(f, inline(f.title)) for f in new)}"

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar
 
-from ... import model as m
-from ...guided import Guide
-from ...typical import Typical
-from ..rust.snippets import Snippets
+from mipgen import model as m
+from mipgen.facts.sample_values import SampleValues
+from mipgen.model.guides import Guide
 
 _CODE = re.compile(r"`([^`]+)`")
 
@@ -25,14 +24,9 @@ User = m.Field | m.Struct | m.Bitfield
 class Index:
     model: m.Model
 
-    @cached_property
-    def typical(self) -> Typical:
-        return Typical(self.model)
-
-    @cached_property
-    def rust(self) -> Snippets:
-        """Programs in Rust, whose types are looked up once."""
-        return Snippets(self.typical)
+    @property
+    def samples(self) -> SampleValues:
+        return self.model.derived(SampleValues)
 
     # ----------------------------------------------------------------------- errata
 
@@ -53,7 +47,8 @@ class Index:
         return self._of_example.get(x.id, [])
 
     def errata_of_length(self, f: m.Field, manual: str) -> list[m.Erratum]:
-        return self._of_length.get((manual, f.full_name), [])
+        names = (f.name_in(o.set) for o in f.occurrences)
+        return [e for name in names for e in self._of_length.get((manual, name), ())]
 
     def fields_of_section(self, e: m.Erratum) -> list[m.Field]:
         """The fields that cite the section of an erratum."""
@@ -79,7 +74,7 @@ class Index:
     def _naming(self) -> dict[str, list[m.Erratum]]:
         """The errata whose texts name a field, be they in its section or not."""
         pairs = [(name, e) for e in self.model.errata for text in (e.right, e.reason) for name in _CODE.findall(text)]
-        return _grouped((name, e) for name, e in pairs if self.model.field(name) is not None)
+        return _grouped((f.full_name, e) for name, e in pairs if (f := self.model.field(name)) is not None)
 
     @cached_property
     def _fields_of_section(self) -> dict[tuple[str, str], list[m.Field]]:
@@ -94,7 +89,8 @@ class Index:
     def shown(self, x: m.Example, part: m.ExampleField) -> list[str]:
         """The fields that a part of an example shows: itself; of an acknowledge, the command that it answers."""
         if part.field != self.model.protocol.acknowledge.full_name or not part.data:
-            return [part.field] if part.field else []
+            f = self.model.field(part.field) if part.field else None
+            return [f.full_name] if f else []
         return [f.full_name for f in self.model.candidates(x.set, part.data[0]) if f.role == m.COMMAND]
 
     @cached_property
@@ -135,7 +131,7 @@ def _used(parameters: Iterable[m.Parameter]) -> Iterable[m.Type]:
 
 def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
     """A field has no other name than a type of its set."""
-    owner = thing.set_name if isinstance(thing, m.Field) else getattr(thing, "owner", None)
+    owner = thing.family if isinstance(thing, m.Field) else getattr(thing, "owner", None)
     return owner, thing.name
 
 

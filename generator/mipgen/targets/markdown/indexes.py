@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ... import model as m
-from . import symbols, types
+from mipgen import model as m
+from mipgen.emit.symbols import Symbols
+
+from . import types
 from .comparison import Section
 from .offsets import layout
 from .parameters import parameter_anchor
 from .places import Page, label
+from .snippets import LANGUAGES
 from .text import code, hexadecimal, inline, table
 
 
 def index(page: Page, name: str) -> list[Section]:
     """One of `places.INDEXES`."""
-    if name in symbols.LANGUAGES:
-        return of_language(page, name)
+    language = next((x for x in LANGUAGES if x.name == name), None)
+    if language is not None:
+        return of_language(page, language.api.symbols(page.model))
     return {"descriptors": descriptors, "names": names, "types": type_users, "units": units, "vendor": vendor}[name](
         page
     )
@@ -26,20 +30,22 @@ def descriptors(page: Page) -> list[Section]:
     """Every descriptor of every set in order, also those without a layout."""
     headings = ["Descriptor", "Short", "Field", "Name", "Role"]
     ack = page.model.protocol.acknowledge
-    acknowledge = Section("Every command set", table([_described(page, ack)], headings))
+    acknowledge = Section("Every command set", table([_described(page, ack, 0)], headings))
     return [acknowledge, *(Section(label(s), table(_of_set(page, s), headings)) for s in page.model.sets)]
 
 
 def _of_set(page: Page, s: m.Set) -> list[list[str]]:
-    rows = [(f.descriptor, _described(page, f)) for f in s.fields]
-    for x in s.named:
+    rows = [(f.descriptor, _described(page, f, s.number)) for f in page.model.fields_in(s)]
+    family = page.model.family(s.family)
+    for x in family.named if family else ():
         link = page.link(s, inline(x.title))
         rows.append((x.descriptor, [*_spelled(s.number, x.descriptor), link, code(f"{s.name}.{x.name}"), x.role]))
     return [row for _, row in sorted(rows, key=lambda row: row[0])]
 
 
-def _described(page: Page, f: m.Field) -> list[str]:
-    return [*_spelled(f.set, f.descriptor), page.link(f, inline(f.title)), code(f.full_name), f.role]
+def _described(page: Page, f: m.Field, number: int) -> list[str]:
+    title = next((o.title for o in f.occurrences if o.set == number), f.title)
+    return [*_spelled(number, f.descriptor), page.link(f, inline(title)), code(f.name_in(number)), f.role]
 
 
 def _spelled(set_: int, descriptor: int) -> list[str]:
@@ -126,14 +132,13 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
 # --------------------------------------------------------------------------- by symbol
 
 
-def of_language(page: Page, language: str) -> list[Section]:
+def of_language(page: Page, found: Iterable[Symbols]) -> list[Section]:
     """What a binding has for each field and type, a table for each set."""
     headings = ["Symbol", "Field or type", "Functions and constants"]
-    found = symbols.LANGUAGES[language](page.model)
     rows: dict[str, list[list[str]]] = {}
     for x in found:
-        owner = x.thing.set_name if isinstance(x.thing, m.Field) else getattr(x.thing, "owner", None)
-        of = next((s for s in page.model.sets if s.name == owner), None)
+        owner = x.thing.family if isinstance(x.thing, m.Field) else getattr(x.thing, "owner", None)
+        of = page.model.family(owner or "")
         rows.setdefault(label(of) if of else "Protocol and common types", []).append(
             [code(x.name), page.link(x.thing), ", ".join(map(code, x.others))]
         )

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ... import codec
-from ... import model as m
+from mipgen import model as m
+from mipgen.lower import codec
+
 from . import examples
 from .fields import length
 from .offsets import layout
@@ -21,7 +22,7 @@ def packet_row(page: Page, f: m.Field) -> str:
     size = f"{int(whole):02X}" if whole.isdigit() else "LL"
     parts = [
         ("Sync", code(spaced(page.model.protocol.sync))),
-        ("Set", code(f"{f.set:02X}") if f.set != m.SHARED_SET else "any data set"),
+        ("Set", "any data set" if f.everywhere else " or ".join(code(f"{number:02X}") for number in f.sets)),
         ("Payload length", code(size)),
         ("Field length", code(size)),
         ("Descriptor", code(f"{f.descriptor:02X}")),
@@ -45,13 +46,13 @@ def _bytes(size: str) -> str:
 def ready_packets(page: Page, f: m.Field) -> str:
     """For each function that a device takes a packet that can be sent as it is."""
     rows = []
-    for c in page.index.typical.sent(f):
-        pieces = examples.said(page, f, page.index.typical.values(f, c))
+    for c in page.index.samples.sent(f):
+        pieces = examples.said(page, f, page.index.samples.values(f, c))
         function = f"{code(c.function.name)} (0x{c.function.value:02X})" if c.function else ""
         given = ", ".join(f"{piece.name} = {piece.value}" for piece in pieces if piece.value)
         if len(pieces) > SHOWN:
             given = f"{len(pieces)} values"
-        rows.append([code(spaced(page.index.typical.packet(f, c))), function, given])
+        rows.append([code(spaced(page.index.samples.packet(f, c))), function, given])
     return table(rows, ["Packet", "Function", "Values"])
 
 

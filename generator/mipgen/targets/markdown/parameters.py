@@ -6,12 +6,14 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from ... import describe
-from ... import model as m
-from ...describe import Fact, Record, Ref
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.facts.describe import Fact, Record, Ref
+from mipgen.lower.extent import REST
+
 from . import types
 from .fields import on_page
-from .offsets import REST, Row, layout
+from .offsets import Row, layout
 from .places import Page, place
 from .text import code, inline, table
 
@@ -69,7 +71,7 @@ def _rows(page: Page, record: Record) -> Iterator[_Row]:
 
 def parameter_anchor(f: m.Field, row: Row) -> str:
     """
-    >>> f = m.Field(1, "base", "ping", 1, "command", "", "", (), (), 0, 0, ())
+    >>> f = m.Field("base", (), "ping", 1, "command", "", "", (), (), 0, 0, ())
     >>> parameter_anchor(f, Row("list[i].rate", None, None, None, f))
     'base.ping.list.rate'
     """

@@ -8,10 +8,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 
-from ... import describe
-from ... import model as m
-from ...describe import Ref
-from ...guided import Guide
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.facts.describe import Ref
+from mipgen.model.guides import Guide
+
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
 from .tools import Tool
@@ -43,7 +44,7 @@ INDEXES = {
 }
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
+Thing = m.Set | m.Family | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
 
 
 def set_page(name: str) -> str:
@@ -52,7 +53,7 @@ def set_page(name: str) -> str:
 
 def field_page(f: m.Field) -> str:
     """The page of a command or a data field; a response is on that of the command that defines it."""
-    return f"docs/fields/{f.set_name}/{f.command if f.role == m.RESPONSE else f.name}.md"
+    return f"docs/fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
 
 
 def types_page(owner: str | None) -> str:
@@ -87,8 +88,10 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return page, anchor
         case m.Set():
             return set_page(thing.name), ""
+        case m.Family():
+            return types_page(thing.name), ""
         case m.Field():
-            page = PACKETS if thing.set_name == model.protocol.acknowledge.set_name else field_page(thing)
+            page = PACKETS if thing.family == model.protocol.acknowledge.family else field_page(thing)
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""
@@ -116,9 +119,10 @@ def label(thing: Thing) -> str:
     match thing:
         case m.Set():
             return plain(f"{thing.title} ({hexadecimal(thing.number)})")
+        case m.Family():
+            return plain(f"{thing.title} ({', '.join(hexadecimal(s.number) for s in thing.sets)})")
         case m.Field():
-            of_set = f"{hexadecimal(thing.set)}," if thing.set else ""  # the acknowledge belongs to all sets
-            return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
+            return plain(f"{thing.title} ({descriptors(thing)})")
         case m.Device() | m.Word() | Tool():
             return plain(thing.title)
         case Guide():
@@ -128,6 +132,12 @@ def label(thing: Thing) -> str:
         case str():
             return plain(thing)
     return code(thing.name)
+
+
+def descriptors(f: m.Field) -> str:
+    """Its set and its descriptor; of a field of several sets its descriptor alone."""
+    several = len(f.occurrences) > 1 or not f.set
+    return f"{'' if several else hexadecimal(f.set) + ','}{hexadecimal(f.descriptor)}"
 
 
 def _relative(path: str, page: str) -> str:

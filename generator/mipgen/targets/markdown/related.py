@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ... import describe
-from ... import model as m
+from mipgen import model as m
+from mipgen.facts import describe
+
 from .fields import on_page
 from .places import Page, field_page
 
-#: A field whose layout many sets repeat is said to be related to so many of them.
-FEW = 8
-
 
 def related(page: Page, f: m.Field) -> list[m.Field]:
-    """Fields that repeat its layout, share its descriptor or its response, or are named where it is described."""
+    """Fields that share its descriptor or its response, or are named where it is described."""
     found: dict[str, m.Field] = {}
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):
@@ -24,9 +22,6 @@ def related(page: Page, f: m.Field) -> list[m.Field]:
 
 def _related(page: Page, f: m.Field) -> Iterator[m.Field]:
     model = page.model
-    if f.definition:
-        yield model.original(f)
-    yield from model.repeats(f)[:FEW]
     yield from model.layouts(f)
     for r in model.responses(f):
         yield from model.commands(r)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ... import describe
-from ... import model as m
-from ...checks import computed_length
-from ...guided import Guide
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.lower.lengths import computed_length, same
+from mipgen.model.guides import Guide
+
 from .fields import length
 from .places import Page, label
-from .text import code, inline
+from .text import code, inline, table
 
 SEVERITIES = ("wire", "meaning", "editorial")
 
@@ -24,13 +25,30 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 # --------------------------------------------------------------------------- citations
 
 
-def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device | Guide) -> list[str]:
+def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Family | m.Chapter | m.Device | Guide) -> list[str]:
     """Where the manuals describe a thing, a line for each."""
-    lines = []
-    for s in getattr(thing, "sources", ()):
-        remark = _length_remark(page, thing, s) if isinstance(thing, m.Field) else ""
-        lines.append(f"{_manual(page, s)}: {inline(s.section)}{f' ({remark})' if remark else ''}")
-    return lines
+    return [_citation(page, thing, s) for s in getattr(thing, "sources", ())]
+
+
+def _citation(page: Page, thing: object, s: m.Source) -> str:
+    remark = _length_remark(page, thing, s) if isinstance(thing, m.Field) else ""
+    return f"{_manual(page, s)}: {inline(s.section)}{f' ({remark})' if remark else ''}"
+
+
+def occurrences(page: Page, f: m.Field) -> str:
+    """The sets in which a field occurs, if they are several: what it is called there, who has it, who says so."""
+    if len(f.occurrences) == 1:
+        return ""
+    rows = []
+    for o in f.occurrences:
+        of = page.model.set(o.set)
+        assert of is not None
+        devices = [page.link(d) for d in page.model.devices_of(f, number=o.set)]
+        devices += [f"perhaps {page.link(d)}" for d in page.model.devices_of(f, certain=False, number=o.set)]
+        cited = "; ".join(_citation(page, f, s) for s in o.sources)
+        unsure = " ".join(page.say(x.sentence) for x in describe.uncertain(o, page.model))
+        rows.append([page.link(of), code(f.name_in(o.set)), ", ".join(devices), f"{cited} {unsure}".strip()])
+    return table(rows, ["Set", "Name", "Devices", "In the manuals"])
 
 
 def field_lengths(page: Page, manual: m.Manual) -> str:
@@ -56,16 +74,17 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
     if wrong:
         by = ", ".join(page.link(e, f"erratum {label(e)}") for e in wrong)
         return f"length given as {code(s.length)} instead of {right}: {by}"
-    if "".join(s.length.split()) in ("".join(x.split()) for x in (right.strip("`"), computed_length(f, "wire"))):
+    if same(s.length, right.strip("`")) or same(s.length, computed_length(f, "wire")):
         return ""
     return f"length given as {code(s.length)} instead of {right}, not counting vectors, structures and unions"
 
 
-def own_lines(thing: m.Field) -> str:
-    """Where the specification itself defines a field: a file of its folder, and a line."""
+def defined(thing: m.Field) -> str:
+    """Where the specification itself defines a field: a file of its folder, and the name there. It has no line, which
+    a comment further up would change."""
     if thing.position is None:
         return ""
-    return f"{code('/'.join(thing.position.file.split('/')[-2:]))}, line {thing.position.line}"
+    return f"{code('/'.join(thing.position.file.split('/')[-2:]))}, {code(f'name: {thing.name}')}"
 
 
 # --------------------------------------------------------------------------- errata

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ... import describe
-from ... import model as m
+from mipgen import model as m
+from mipgen.facts import describe
+
 from .fields import length
 from .places import Page
 from .text import code, hexadecimal, table

@@ -6,47 +6,46 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from ... import formatting
-from ... import model as m
-from ...naming import Identifier
-from ...render import File
-from . import docs, info, members, names, simulator, steps, tables
+from mipgen import model as m
+from mipgen.emit import formatting, package
+from mipgen.emit.target import File, Identifier, Target
+from mipgen.lower import calls, presence
 
-TITLE = "Python >= 3.10, package mip_protocol"
-CONFORMANCE = ("parse", "decode", "encode", "client", "live")
-FORMATTER = formatting.RUFF
+from . import docs, info, members, names, simulation, steps, tables
+
 PACKAGE = "mip_protocol"
 
 
 def files(model: m.Model) -> Iterator[File]:
-    taste = model.taste("taste.py")
-    if taste:
-        yield File("taste.py", "verbatim.j2", {"text": taste})
+    quickstart = model.program("quickstart.py")
+    if quickstart:
+        yield File("quickstart.py", "verbatim.j2", {"text": quickstart})
     known = max(model.devices, key=lambda d: len(d.supports), default=None)
     shown = {
-        "taste": taste.partition('"""\n\n')[2].rstrip(),
-        "daily": model.taste("daily.md").rstrip(),
-        "client": model.taste("client.py").rstrip(),
-        "at_port": model.taste("device.py").rstrip(),
-        "at_port_aio": model.taste("device_aio.py").rstrip(),
-        "meaning": model.taste("meaning.py").rstrip(),
+        "quickstart": quickstart.partition('"""\n\n')[2].rstrip(),
+        "daily": model.program("daily.md").rstrip(),
+        "client": model.program("client.py").rstrip(),
+        "at_port": model.program("device.py").rstrip(),
+        "at_port_aio": model.program("device_aio.py").rstrip(),
+        "meaning": model.program("meaning.py").rstrip(),
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
+    yield File("pyproject.toml", "pyproject.toml.j2")
     for name in ("__init__", "_clocks", "_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
     protocol = model.protocol
     yield _meaning("types", model.types)
     yield _meaning("protocol", [protocol.function_selector], [protocol.acknowledge])
-    yield File(f"{PACKAGE}/simulator/_facts.py", "simulator.py.j2")
-    for s in model.sets:
-        yield File(f"{PACKAGE}/{names.module(s.name)}.py", "set.py.j2", {"set": s})
-        yield _meaning(names.module(s.name), s.types, s.fields, s)
+    yield File(f"{PACKAGE}/simulation.json", "verbatim.j2", {"text": simulation.document(model)})
+    for x in model.families:
+        yield File(f"{PACKAGE}/{names.module(x.name)}.py", "set.py.j2", {"family": x})
+        yield _meaning(names.module(x.name), x.types, x.fields)
 
 
-def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = (), of: m.Set | None = None) -> File:
+def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = ()) -> File:
     """What the types and fields of a module mean."""
-    known = {"module": module, "kinds": types, "fields": fields, "set": of}
+    known = {"module": module, "kinds": types, "fields": fields}
     return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known)
 
 
@@ -74,21 +73,23 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "layout": members.layout,
         "columns": members.columns,
         "is_shared": members.is_shared,
+        "sets": members.sets,
         "decoded": members.decoded,
+        "constructors": calls.constructors,
         "parameters": members.parameters,
         "arguments": members.arguments,
-        "required": members.required,
+        "required": presence.required,
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
-        "answer": lambda call, f: members.answer(call, f, model),
+        "answer": lambda way, f: members.answer(way.function, f, model),
         "answers": lambda f: members.answers(f, model),
         "silencers": lambda f: members.silencers(f, model),
         "matches": lambda f: members.matches(f, model),
         # codecs
         "plan": steps.plan,
         # docstrings and comments
-        "set_doc": partial(docs.of_set, model=model),
+        "family_doc": partial(docs.of_family, model=model),
         "field_doc": partial(docs.of_field, model=model),
         "type_doc": partial(docs.of_type, model=model),
         "function_doc": docs.of_function,
@@ -105,17 +106,13 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "by_descriptor": tables.by_descriptor,
         # what is known at run time
         "field_info": partial(info.of_field, model=model),
-        "parameter_info": lambda p, record, case, union: info.of_parameter(p, record, model, case, union),
-        "type_info": partial(info.of_type, model=model),
-        "set_info": partial(info.of_set, model=model),
-        "value_info": partial(info.of_value, model=model),
-        "bits_info": partial(info.of_bits, model=model),
+        "parameter_info": partial(info.of_parameter, model=model),
+        "enum_info": info.of_enumeration,
+        "bits_info": info.of_bitfield,
         "full_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
         "quoted": info.code,
         "every_field": info.fields,
         "called": info.called,
-        "given": simulator.given,
-        "differences": simulator.differences,
     }
 
 
@@ -123,9 +120,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    for s in model.sets:
-        yield Identifier(PACKAGE, names.module(s.name), f"set {s.name}", s.position)
-        yield from _classes(s.name, [*s.types, *s.fields])
+    for x in model.families:
+        yield Identifier(PACKAGE, names.module(x.name), f"set {x.name}", x.position)
+        yield from _classes(x.name, [*x.types, *x.fields])
     yield from _classes("types", model.types)
     for d in model.devices:
         yield Identifier(f"{PACKAGE}.devices", names.constant(d.name), f"device {d.id}", d.position)
@@ -155,3 +152,15 @@ def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | Non
             yield names.member(p.name), p.name, p.position
         for f in t.functions if isinstance(t, m.Field) else ():
             yield names.member(f.name), f"function {f.name}", None
+
+
+TARGET = Target(
+    title="Python >= 3.10, package mip_protocol",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.in_source,
+    grammar=names.GRAMMAR,
+    formatter=formatting.RUFF,
+    conformance=("parse", "decode", "encode", "client", "live"),
+)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ... import describe
-from ... import model as m
-from ...describe import Fact, Ref
-from ...wrapping import wrapped
+from mipgen import model as m
+from mipgen.emit.wrapping import wrapped
+from mipgen.facts import describe
+from mipgen.facts.describe import Fact, Ref
+
 from .members import Record, annotation
 from .names import constant, home, member, module, reference
 
@@ -38,10 +39,16 @@ def named(ref: Ref, where: str) -> str:
 # --------------------------------------------------------------------------- docstrings
 
 
-def of_set(s: m.Set, model: m.Model) -> str:
-    title, where = f"{s.title} (0x{s.number:02X}).", module(s.name)
-    unsure = sentences(describe.uncertain(s, model), where)
-    return literal([title, say(describe.prose(s.description, model), where), unsure, sources(s)], 0)
+def of_family(x: m.Family, model: m.Model) -> str:
+    numbers, where = ", ".join(f"0x{s.number:02X}" for s in x.sets), module(x.name)
+    unsure = sentences(describe.uncertain(x, model), where)
+    several = [_set(s, where, model) for s in x.sets] if len(x.sets) > 1 else []
+    described = say(describe.prose(x.description, model), where)
+    return literal([f"{x.title} ({numbers}).", described, unsure, "\n".join(several), sources(x)], 0)
+
+
+def _set(s: m.Set, where: str, model: m.Model) -> str:
+    return f"- {s.name} (0x{s.number:02X}): {_text(s.description, describe.uncertain(s, model), where, model)}"
 
 
 def of_field(f: m.Field, model: m.Model) -> str:
@@ -49,7 +56,7 @@ def of_field(f: m.Field, model: m.Model) -> str:
     notes = describe.topics(facts, "note")
     return literal(
         [
-            f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X}).",
+            f"{f.title} ({descriptors(f)}).",
             say(describe.prose(f.description, model), where),
             sentences([fact for fact in facts if fact not in notes], where),
             sentences(notes, where),
@@ -57,6 +64,12 @@ def of_field(f: m.Field, model: m.Model) -> str:
         ],
         4,
     )
+
+
+def descriptors(f: m.Field) -> str:
+    """ "0x80,0x04"; of a field of several sets the descriptor alone."""
+    several = len(f.occurrences) > 1
+    return f"0x{f.descriptor:02X}" if several else f"0x{f.set:02X},0x{f.descriptor:02X}"
 
 
 def of_type(t: m.Type, model: m.Model) -> str:
@@ -116,7 +129,7 @@ def sentences(facts: Iterable[Fact], where: str) -> str:
     return " ".join(say(fact.sentence, where) for fact in facts)
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
+def sources(thing: m.Field | m.Family | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
     return items(describe.sources(thing))
 
 

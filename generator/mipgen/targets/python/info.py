@@ -10,11 +10,12 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from ... import describe, meaning
-from ... import model as m
-from . import docs
+from mipgen import model as m
+from mipgen.facts import describe
+from mipgen.lower.numbers import in_numbers
+
 from .members import Record
-from .names import member, qualified
+from .names import constant, member, qualified
 
 Row = dict[str, str]
 
@@ -37,86 +38,45 @@ def code(value: object) -> str:
     return repr(value)
 
 
-def said(facts: Iterable[describe.Fact]) -> tuple[str, ...]:
-    return tuple(docs.say(fact.sentence, "") for fact in facts)
-
-
-def _prose(text: str, model: m.Model) -> str:
-    return docs.say(describe.prose(text, model), "")
-
-
-# --------------------------------------------------------------------------- fields, structures, sets
+# --------------------------------------------------------------------------- fields, enumerations, bitfields
 
 
 def of_field(f: m.Field, model: m.Model) -> Row:
     return shown(
         {
-            "title": f.title,
-            "description": _prose(f.description, model),
-            "facts": said(describe.field(f, model)),
-            "sources": tuple(describe.sources(f)),
-            "also": f.also,
             "functions": tuple(member(x.name) for x in f.functions),
             "devices": tuple(d.id for d in model.devices_of(f)),
             "perhaps": tuple(d.id for d in model.devices_of(f, certain=False)),
-            "deprecated": f.deprecated and _prose(f.deprecated, model),
+            "deprecated": bool(f.deprecated),
             "advanced": f.advanced,
             "max_rate": f.max_rate,
         }
     )
 
 
-def of_type(t: m.Struct | m.Enum | m.Bitfield, model: m.Model) -> Row:
-    """What structures, enumerations and bitfields have in common."""
-    return shown(
-        {
-            "description": _prose(t.description, model),
-            "facts": said(describe.type(t, model)),
-            "sources": tuple(describe.sources(t)),
-        }
-    )
+def of_enumeration(t: m.Enum) -> Row:
+    deprecated = tuple(v.name for v in t.values if v.deprecated)
+    return shown({"deprecated": deprecated}) | _spelled(v.name for v in t.values)
 
 
-def of_set(s: m.Set, model: m.Model) -> Row:
-    return shown(
-        {
-            "title": s.title,
-            "description": _prose(s.description, model),
-            "facts": said(describe.uncertain(s, model)),
-            "sources": tuple(describe.sources(s)),
-        }
-    )
+def of_bitfield(t: m.Bitfield) -> Row:
+    numbers = {b.name: qualified(b.enum) for b in t.bits if b.enum}
+    row = shown({"aliases": tuple(b.name for b in t.bits if b.alias)}) | _spelled(b.name for b in t.bits)
+    return row | ({"numbers": _mapping(numbers)} if numbers else {})
 
 
-def of_value(v: m.EnumValue, model: m.Model) -> Row:
-    return shown(
-        {
-            "description": _prose(v.description, model),
-            "facts": said(describe.uncertain(v, model)),
-            "deprecated": v.deprecated,
-        }
-    )
-
-
-def of_bits(b: m.Bits, model: m.Model) -> Row:
-    facts = said(describe.uncertain(b, model))  # the others are attributes
-    row = shown({"description": _prose(b.description, model), "facts": facts, "alias": b.alias})
-    return row | ({"type": qualified(b.enum)} if b.enum else {})
+def _spelled(names: Iterable[str]) -> Row:
+    """The names that are not those of the class in small letters."""
+    other = {constant(name): code(name) for name in names if constant(name).lower() != name}
+    return {"spelled": _mapping(other)} if other else {}
 
 
 # --------------------------------------------------------------------------- parameters
 
 
-def of_parameter(p: m.Parameter, record: Record, model: m.Model, case: m.Case | None = None, union: str = "") -> Row:
-    """The description of a parameter besides its name, kind and cases. Of the parameter of a union's case,
-    `case` and the name of the union."""
-    facts = describe.parameter(p, record, model)
-    if case is not None:
-        facts = [describe.case(case, next(q for q in record.parameters if q.name == union), record), *facts]
-    empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
+def of_parameter(p: m.Parameter, record: Record, model: m.Model) -> Row:
+    """The description of a parameter besides its name, kind and cases."""
     values = {
-        "description": _prose(p.description, model),
-        "facts": said([*facts, *empty]),
         "scalar": _scalar(p.element),
         "size": p.element.size if isinstance(p.element, m.Bitfield) and p.element.scalar is None else 0,
         "elements": p.element.elements if isinstance(p.element, m.Vector) else (),
@@ -131,7 +91,7 @@ def of_parameter(p: m.Parameter, record: Record, model: m.Model, case: m.Case | 
         "above": p.above,
         "below": p.below,
         "magnitude": p.magnitude if p.magnitude != (None, None) else None,
-        "default": p.reserved if p.default is None else meaning.in_numbers(p.default, p.element),
+        "default": p.reserved if p.default is None else in_numbers(p.default, p.element),
         "frame": p.frame,
         "required": tuple(
             member(x.name) for x in p.required_for if isinstance(record, m.Field) and p in record.counted
@@ -163,13 +123,12 @@ def _scalar(e: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> s
 def _variants(p: m.Parameter, record: Record, model: m.Model) -> Row:
     """What differs by device or with another parameter, and the flags of devices that have others."""
     rows = []
-    for group, fact in describe.variants(p, record, model):
+    for group, _ in describe.variants(p, record, model):
         v = group[0]
         keys = tuple(x.key for x in group) if v.by_device else (v.value,)
         changes = _changes(v, p, record)
         by = v.by if v.by_device else member(v.by)
-        text = docs.say(fact.sentence, "")
-        arguments = [code(by), code(keys), code(text), _mapping(changes)]
+        arguments = [code(by), code(keys), _mapping(changes)]
         if v.member:
             arguments.append(f"member={code(member(v.member))}")
         rows.append(f"Variant({', '.join(arguments)})")
@@ -194,7 +153,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: Record) -> Row:
         "frame": v.frame,
         "minimum": v.minimum,
         "maximum": v.maximum,
-        "default": meaning.in_numbers(v.default, v.type or p.element),
+        "default": in_numbers(v.default, v.type or p.element),
         "valid": v.valid,
         "constant": v.constant,
         "only": tuple(x.name for x in v.only) or None,

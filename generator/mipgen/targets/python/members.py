@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import math
 
-from ... import model as m
+from mipgen import model as m
+from mipgen.lower import presence
+from mipgen.lower.calls import Constructor, constructors, replies
+from mipgen.lower.runs import run
+
 from .names import SCALARS, constant, home, member, reference
 
 Record = m.Field | m.Struct
@@ -21,8 +25,15 @@ def held(record: Record) -> tuple[str, ...]:
 
 
 def is_shared(f: m.Field) -> bool:
-    """Is it valid in packets of several sets: in all data sets, or in all command sets?"""
-    return f.set in (0, m.SHARED_SET)
+    """Does it occur in several sets?"""
+    return len(f.sets) > 1
+
+
+def sets(f: m.Field) -> str:
+    """The numbers of the sets in which it occurs."""
+    if f.everywhere:
+        return f"range(0x{f.everywhere.start:02X}, 0x{f.everywhere.stop:02X})"
+    return f"({', '.join(f'0x{n:02X}' for n in f.sets)},)"
 
 
 def annotation(p: m.Parameter, record: Record) -> str:
@@ -159,18 +170,18 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
     found = []
     if not isinstance(record, m.Field) or record.optional or record.selector:
         return []
-    for op in record.operations:
-        match op:
-            case m.ScalarOp():
-                made = (
-                    reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
-                )
-                found.append((member(op.member), SCALARS[op.scalar.name][0], made))
-            case m.ArrayOp(item=m.ScalarOp(type=None, scalar=scalar), count=int(count)) if scalar.kind != "bool":
-                made = reference(op.vector, home(record)) if op.vector else "tuple"
-                found.append((member(op.member), SCALARS[scalar.name][0] * count, made))
-            case _:
-                return []
+    for p in record.parameters:
+        numbers = run(p.operation)
+        if numbers is None or p.operation.kind not in ("scalar", "array"):
+            return []
+        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.operation.leaf.named
+        if numbers.count is None:
+            made = reference(named, home(record)) if named else "codec.truth" if truth else ""
+        elif truth or named:
+            return []
+        else:
+            made = reference(p.element, home(record)) if isinstance(p.element, m.Vector) else "tuple"
+        found.append((member(p.name), letter * (numbers.count or 1), made))
     return found
 
 
@@ -183,37 +194,28 @@ def decoded(record: Record) -> list[str]:
 # --------------------------------------------------------------------------- constructors
 
 
-def parameters(call: m.Call, record: m.Field) -> list[str]:
+def parameters(way: Constructor, record: m.Field) -> list[str]:
     """The parameters of the constructor for a function: the required ones, then the optional ones."""
-    asked = [f"{member(p.name)}: {_needed(p, record)}" for p in call.asked if not p.derived]
-    return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in _free(call.optional)]
+    asked = [f"{member(p.name)}: {_needed(p, record)}" for p in way.values]
+    return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in way.addable]
 
 
-def arguments(call: m.Call) -> list[str]:
+def arguments(way: Constructor) -> list[str]:
     """What that constructor passes on, after the function."""
     found = []
-    for p in call.required:
+    for p in way.required:
         if not p.derived:
             found.append(f"{member(p.name)}={member(p.name) if p.reserved is None else _reserved(p)}")
-    for i, p in enumerate(call.optional):
-        later = _free(call.optional[i:])
-        if p.reserved is None and not p.derived:
+    for i, p in enumerate(way.optional):
+        later = [q for q in way.optional[i:] if q in way.addable]
+        if p in way.addable:
             found.append(f"{member(p.name)}={member(p.name)}")
         elif p.reserved is not None and later:  # it is sent with what comes behind it
             found.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
     return found
 
 
-def _free(found: tuple[m.Parameter, ...]) -> list[m.Parameter]:
-    return [p for p in found if p.reserved is None and not p.derived]
-
-
 # --------------------------------------------------------------------------- presence and acknowledges
-
-
-def required(f: m.Field) -> dict[int, int]:
-    """Function -> how many parameters it requires."""
-    return {c.function.value: len(c.required) for c in f.calls if c.function}
 
 
 def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
@@ -222,11 +224,10 @@ def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
     return tuple(
         (
             op.last,
-            tuple(member(part.member) for part in op.body if not isinstance(part, m.GroupOp) and part.member in held),
-            any(isinstance(part, m.SwitchOp) for part in op.body),
+            tuple(member(part.member) for part in op.body if part.member in held),
+            any(part.kind == "switch" for part in op.body),
         )
-        for op in f.operations
-        if isinstance(op, m.GroupOp)
+        for op in presence.groups(f)
     )
 
 
@@ -259,16 +260,15 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
     return found if any(condition != "True" for condition, _ in found) else []
 
 
-def answer(call: m.Call, f: m.Field, model: m.Model) -> str:
+def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
     """The type of what a client gets for a command sent in this way: a response, one of several, or None."""
-    replies = [r for r in model.replies(f) if not r.functions or call.function in r.functions]
-    layouts = dict.fromkeys(reference(layout, home(f)) for r in replies for layout in r.layouts)
-    return " | ".join(layouts) or "None"
+    layouts = [layout for r in replies(f, function, model) for layout in r.layouts]
+    return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "None"
 
 
 def answers(f: m.Field, model: m.Model) -> str:
     """The same for a command however it is sent; empty if that depends on the function."""
-    found = {answer(call, f, model) for call in f.calls}
+    found = {answer(way.function, f, model) for way in constructors(f)}
     return found.pop() if len(found) == 1 else ""
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import builtins
 
-from ... import model as m
-from ...naming import Escape, pascal, upper
-from ...render import language
+from mipgen import model as m
+from mipgen.emit.naming import Escape, Grammar, pascal, upper
+from mipgen.emit.render import language
 
 _LANGUAGE = language("python")
 _KEYWORDS = frozenset(str(k) for k in _LANGUAGE["keywords"])
+
+GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS)
 
 #: Scalar -> its letter in a `struct` format, and its type in Python.
 SCALARS: dict[str, tuple[str, str]] = {name: (row[0], row[1]) for name, row in _LANGUAGE["scalars"].items()}
@@ -47,7 +49,7 @@ def home(thing: m.Type | m.Field) -> str:
     'types'
     """
     if isinstance(thing, m.Field):
-        return module(thing.set_name) if thing.set else "protocol"
+        return module(thing.family) if thing.set else "protocol"
     if thing.name == "function_selector":  # no type of a specification can be called so
         return "protocol"
     owner = None if isinstance(thing, m.Vector) else thing.owner

@@ -5,13 +5,15 @@ A block is one `codec.Block` of the package, which has one `struct.Struct`.
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from ... import model as m
-from ...naming import upper
+from mipgen import model as m
+from mipgen.emit.naming import upper
+from mipgen.lower import extent
+from mipgen.lower.runs import Run, run
+
 from .members import Record
 from .names import SCALARS, home, member, reference
 
@@ -132,60 +134,52 @@ class _Planner:
     def __init__(self, record: Record) -> None:
         self.home = home(record)
         self.name = upper(record.name)
-        arrays = [p.operation for p in record.parameters if isinstance(p.operation, (m.ArrayOp, m.TextOp))]
-        self.capacities = {op.member: op.capacity for op in arrays}
+        arrays = (p.operation for p in record.parameters)
+        self.capacities = {op.member: op.capacity for op in arrays if isinstance(op, (m.ArrayOp, m.TextOp))}
         self.blocks: list[Block] = []
 
     def steps(self, operations: Iterable[m.Operation], union: str = "") -> tuple[Step, ...]:
         """`union`: the member that a case of a union goes to, whatever its own name is."""
         found: list[Step] = []
-        run: list[m.Operation] = []
+        joined: list[Run] = []
         for op in operations:
-            if _is_numbers(op):
-                run.append(op)
-                if not isinstance(op, m.ConstantOp):  # a wrong constant is the first thing to say of a record
+            numbers = None if op.kind == "text" else run(op)
+            if numbers:
+                joined.append(numbers)
+                if op.kind != "constant":  # a wrong constant is the first thing to say of a record
                     continue
-            found += self.block(run, union)
-            run = []
-            if not _is_numbers(op):
+            found += self.block(joined, union)
+            joined = []
+            if not numbers:
                 found.append(self.step(op, union))
-        return (*found, *self.block(run, union))
+        return (*found, *self.block(joined, union))
 
-    def block(self, run: Sequence[m.Operation], union: str) -> list[Step]:
-        if not run:
+    def block(self, joined: Sequence[Run], union: str) -> list[Step]:
+        if not joined:
             return []
         layout, values = "", []
-        for op in run:
-            letters, value = self.value(op, union, len(layout))
-            layout += letters
-            values.append(value)
-        size = sum(struct.calcsize(f">{letter}") for letter in layout)
+        for numbers in joined:
+            values.append(self.value(numbers, union, len(layout)))
+            layout += _letter(numbers.scalar) * values[-1].count
+        size = sum(numbers.size for numbers in joined)
         block = Block(f"_{self.name}_{len(self.blocks)}", layout, size, tuple(values))
         self.blocks.append(block)
         return [block]
 
-    def value(self, op: m.Operation, union: str, at: int) -> tuple[str, Value]:
-        """The letters of a value in the layout of a block, and the value."""
+    def value(self, numbers: Run, union: str, at: int) -> Value:
+        op, count = numbers.op, 1 if numbers.count is None else numbers.count
         match op:
             case m.ConstantOp():
-                return _letter(op.scalar), Value("constant", member(op.member), at, 1, constant=op.value)
+                return Value("constant", member(op.member), at, count, constant=op.value)
             case m.CounterOp():
                 array, capacity = member(op.array), self.capacities[op.array]
-                return _letter(op.scalar), Value("counter", member(op.member), at, 1, array=array, capacity=capacity)
-            case m.BitsOp():
-                convert = reference(op.type, self.home)
-                return "B" * op.size, Value("bits", union or member(op.member), at, op.size, convert)
-            case m.ScalarOp():
-                return _letter(op.scalar), Value("number", union or member(op.member), at, 1, self.convert(op))
-            case m.ArrayOp(item=m.ScalarOp() as item, count=int(count)):
-                name = union or member(op.member)
-                if op.vector:
-                    return _letter(item.scalar) * count, Value(
-                        "vector", name, at, count, reference(op.vector, self.home)
-                    )
-                value = Value("array", name, at, count, self.convert(item))
-                return _letter(item.scalar) * count, value
-        raise AssertionError(op)
+                return Value("counter", member(op.member), at, count, array=array, capacity=capacity)
+            case m.ArrayOp(vector=m.Vector() as vector):
+                return Value("vector", union or member(op.member), at, count, reference(vector, self.home))
+        kind: Literal["number", "array", "bits"] = (
+            "bits" if op.kind == "bits" else "array" if op.kind == "array" else "number"
+        )
+        return Value(kind, union or member(op.member), at, count, self.convert(op.leaf))
 
     def step(self, op: m.Operation, union: str) -> Step:
         match op:
@@ -207,24 +201,20 @@ class _Planner:
 
     def items(self, op: m.ArrayOp | m.TextOp, name: str) -> Items:
         counter = member(op.counter) if op.counter else ""
+        shape = (name, op.count, counter, op.capacity, extent.element(op))
         match op:
-            case m.TextOp():
-                return Items("text", name, op.count, counter, op.capacity, size=1)
-            case m.ArrayOp(item=m.StructOp(struct=struct_)):
-                kind = reference(struct_, self.home)
-                return Items("structures", name, op.count, counter, op.capacity, struct_.max_size, convert=kind)
+            case m.ArrayOp(item=m.StructOp(struct=struct)):
+                return Items("structures", *shape, convert=reference(struct, self.home))
             case m.ArrayOp(item=m.ArrayOp(item=m.ScalarOp(scalar=scalar), count=int(width), vector=m.Vector() as kind)):
-                size, letter, made = scalar.size * width, _letter(scalar), reference(kind, self.home)
-                return Items("vectors", name, op.count, counter, op.capacity, size, letter, width, made)
+                return Items("vectors", *shape, _letter(scalar), width, reference(kind, self.home))
             case m.ArrayOp(item=m.ScalarOp() as item):
-                letter, convert = _letter(item.scalar), self.convert(item)
-                return Items("numbers", name, op.count, counter, op.capacity, item.size, letter, convert=convert)
-        raise AssertionError(op)
+                return Items("numbers", *shape, _letter(item.scalar), convert=self.convert(item))
+        return Items("text", *shape)
 
-    def convert(self, op: m.ScalarOp) -> str:
-        if op.type is not None:
-            return reference(op.type, self.home)
-        return "codec.truth" if op.scalar.kind == "bool" else ""
+    def convert(self, op: m.Operation) -> str:
+        if op.named is not None:
+            return reference(op.named, self.home)
+        return "codec.truth" if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool" else ""
 
     def case_type(self, case: m.Case) -> str:
         element = case.parameter.element if case.parameter else None
@@ -240,13 +230,6 @@ def _held(step: Step) -> list[str]:
             return [name for inner in step.steps for name in _held(inner)]
         case _:
             return [step.member]
-
-
-def _is_numbers(op: m.Operation) -> bool:
-    """Is it made of a fixed number of numbers?"""
-    if isinstance(op, m.ArrayOp):
-        return op.count is not None and isinstance(op.item, m.ScalarOp)
-    return isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp))
 
 
 def _letter(scalar: m.Scalar) -> str:

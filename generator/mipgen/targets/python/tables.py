@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ... import model as m
+from mipgen import model as m
 
 
-def by_descriptor(s: m.Set) -> dict[int, list[m.Field]]:
+def by_descriptor(s: m.Family) -> dict[int, list[m.Field]]:
     """The layouts of each descriptor."""
     found: dict[int, list[m.Field]] = {}
     for f in sorted(s.fields, key=lambda f: f.descriptor):

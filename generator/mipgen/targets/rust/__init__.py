@@ -1,23 +1,23 @@
-"""The Rust target: a `no_std` crate with one module per descriptor set."""
+"""The Rust target: a `no_std` crate with one module per family of descriptor sets."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from ... import model as m
-from ...naming import Identifier
-from ...render import File
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Identifier, Target
+
 from . import commands, docs, names, records, tables
 from .names import LANGUAGE, Record, constant, home, member, method, module, type_name, variant
 from .records import Records
 
-TITLE = "Rust, no_std"
 #: The oldest Rust that builds the crate.
 OLDEST = "1.65"
 #: Programs with fields of the specification, and the features that they need besides descriptor sets.
 EXAMPLES = {
-    "taste": (),
+    "quickstart": (),
     "log_to_csv": ("std",),
     "stream": ("std",),
     "setup": ("std",),
@@ -25,26 +25,34 @@ EXAMPLES = {
     "tokio_codec": ("std",),
     "firmware": (),
 }
-CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:
-    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client", "device")} | {"oldest": OLDEST}
-    examples = {name: needed for name, needed in EXAMPLES.items() if model.taste(f"{name}.rs")}
-    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST, "examples": examples})
+    shown = {name: model.program(f"{name}.rs").rstrip() for name in ("quickstart", "client", "device")} | {
+        "oldest": OLDEST,
+        "bench": model.program("bench_rust.md").rstrip(),
+    }
+    examples = {name: needed for name, needed in EXAMPLES.items() if model.program(f"{name}.rs")}
+    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST, "examples": examples, "keywords": keywords(model)})
     yield File("README.md", "README.md.j2", {**shown, "examples": examples})
     for name in examples:
-        yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.taste(f"{name}.rs")})
+        yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.program(f"{name}.rs")})
     for page in ("map", "sets"):
         yield File(f"src/{page}.md", f"{page}.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
-    for s in model.sets:
-        yield File(f"src/sets/{module(s.name)}.rs", "set.rs.j2", {"set": s})
+    for family in model.families:
+        yield File(f"src/sets/{module(family.name)}.rs", "family.rs.j2", {"family": family})
+
+
+def keywords(model: m.Model) -> list[str]:
+    """For the registry, which takes five words."""
+    own = [word.lower().replace(" ", "-") for word in model.protocol.keywords]
+    return list(dict.fromkeys([model.protocol.package.replace("_", "-"), *own[:2], "no-std", "protocol"]))
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    of, about, rows = Records(model), docs.Docs(model), tables.Tables(model)
+    of, about, rows = model.derived(Records), docs.Docs(model), tables.Tables(model)
     return {
         # names
         "constant": constant,
@@ -62,6 +70,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "inner": names.inner,
         "rust": of.rust,
         "scalar": names.scalar,
+        "set_constant": names.set_constant,
         # records
         "constructors": of.constructors,
         "conversions": lambda _: of.conversions(),
@@ -99,6 +108,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "parameter_doc": about.parameter,
         "prose": docs.prose,
         "reading_doc": about.reading,
+        "family_doc": about.family,
         "set_doc": about.set,
         "title": docs.title,
         "type_doc": about.type,
@@ -113,11 +123,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "layouts": rows.layouts,
         "linked": rows.linked,
         "octets": tables.octets,
+        "numbers": docs.numbers,
         "option": tables.option,
         "quoted": tables.quoted,
         "sizes": rows.sizes,
-        "set_pattern": rows.set_pattern,
-        "set_range": rows.set_range,
+        "sets": tables.sets,
     }
 
 
@@ -125,20 +135,23 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def identifiers(model: m.Model) -> Iterable[Identifier]:
-    of = Records(model)
+    of = model.derived(Records)
     for fixed in LANGUAGE["modules"]:
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
     for fixed in LANGUAGE["features"]:
-        yield Identifier("the features", fixed, f"the feature {fixed}", None)
-    for s in model.sets:
-        yield Identifier("the features", names.feature(s), s.name, s.position)
-        yield Identifier("the crate", module(s.name), s.name, s.position)
+        yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)
+    for family in model.families:
+        yield Identifier("the features", names.feature(family), family.name, family.position, word=False)
+        yield Identifier("the crate", module(family.name), family.name, family.position)
+        for s in family.sets:
+            if name := names.set_constant(s, family):
+                yield Identifier(module(family.name), name, f"the set {s.name}", s.position)
     for t in (model.protocol.function_selector, *model.all_types):
         yield from _type(of, t)
-    for s in model.sets:
-        for f in s.fields:
+    for family in model.families:
+        for f in family.fields:
             yield from _field(model, f)
-        for f in s.fields:
+        for f in family.fields:
             yield from _record(of, f, f.full_name)
     for union in of.unions:
         yield from _union(union)
@@ -147,11 +160,11 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
 
 
 def _field(model: m.Model, f: m.Field) -> Iterator[Identifier]:
-    yield Identifier(module(f.set_name), type_name(f.name), f.full_name, f.position)
-    yield Identifier("registry", type_name(f"{f.set_name}_{f.name}"), f.full_name, f.position)
+    yield Identifier(module(f.family), type_name(f.name), f.full_name, f.position)
+    yield Identifier("registry", type_name(f"{f.family}_{f.name}"), f.full_name, f.position)
     if len(f.responses) > 1:
         several = f"the responses of {f.full_name}"
-        yield Identifier(module(f.set_name), names.responses_name(f), several, f.position)
+        yield Identifier(module(f.family), names.responses_name(f), several, f.position)
         for r in model.responses(f):
             yield Identifier(several, names.response_variant(r, f), r.name, f.position)
 
@@ -195,3 +208,14 @@ def _record(of: Records, record: Record, what: str) -> Iterator[Identifier]:
         yield Identifier(methods, f"with_{x.parameter.name}", x.parameter.name, record.position)
     for r in of.readings(record):
         yield Identifier(methods, r.name, r.name, record.position)
+
+
+TARGET = Target(
+    title="Rust, no_std",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.in_source,
+    grammar=names.GRAMMAR,
+    conformance=("parse", "decode", "encode", "client", "live"),
+)

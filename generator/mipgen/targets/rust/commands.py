@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ... import model as m
+from mipgen import model as m
+
 from .names import constant, responses_name, type_name
 from .records import BOOL, Records
 

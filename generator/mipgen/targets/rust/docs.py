@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from ... import describe
-from ... import model as m
-from ...wrapping import wrapped
+from mipgen import model as m
+from mipgen.emit.wrapping import wrapped
+from mipgen.facts import describe
+
 from .names import Record, constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
@@ -25,10 +26,18 @@ class Docs:
 
     # ------------------------------------------------------------------ sets, fields and parameters
 
+    def family(self, family: m.Family) -> list[Block]:
+        if len(family.sets) == 1:
+            return self.set(family.sets[0])
+        return [f"{prose(family.title)} ({numbers(family)}): {self._prose(family.description, module(family.name))}",
+                self._unsure(family, module(family.name)), sources(family)]  # fmt: skip
+
     def set(self, s: m.Set) -> list[Block]:
-        description = self._prose(s.description, module(s.name))
-        unsure, _ = self._facts(describe.uncertain(s, self.model), module(s.name))
-        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", unsure, sources(s)]
+        description = self._prose(s.description, module(s.family))
+        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", self._unsure(s, module(s.family)), sources(s)]
+
+    def _unsure(self, of: m.Set | m.Family, here: str) -> str:
+        return self._facts(describe.uncertain(of, self.model), here)[0]
 
     def field(self, f: m.Field) -> list[Block]:
         said, notes = self._facts(describe.field(f, self.model), home(f))
@@ -119,10 +128,17 @@ class Docs:
 
 
 def title(f: m.Field) -> str:
-    return f"{prose(f.title)} (0x{f.set:02X},0x{f.descriptor:02X})"
+    """With its key, unless the set may be one of several."""
+    key = f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
+    return f"{prose(f.title)} ({key})"
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
+def numbers(family: m.Family) -> str:
+    """The descriptor sets of a family, as people write them."""
+    return ", ".join(f"0x{s.number:02X}" for s in family.sets)
+
+
+def sources(thing: m.Field | m.Family | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
     found = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {found}." if found else ""
 
@@ -177,8 +193,8 @@ def reference(r: describe.Ref, here: str) -> str:
 
 def link(target: str, shown: str = "") -> str:
     """
-    >>> link("Mode::FAST"), link("crate::gnss_1::Dop"), link("Flags::hot", "`flags.hot`")
-    ('[`Mode::FAST`]', '[`gnss_1::Dop`](crate::gnss_1::Dop)', '[`flags.hot`](Flags::hot)')
+    >>> link("Mode::FAST"), link("crate::gnss_data::Dop"), link("Flags::hot", "`flags.hot`")
+    ('[`Mode::FAST`]', '[`gnss_data::Dop`](crate::gnss_data::Dop)', '[`flags.hot`](Flags::hot)')
     """
     shown = shown or f"`{target.removeprefix('crate::')}`"
     return f"[{shown}]" if shown == f"`{target}`" else f"[{shown}]({target})"

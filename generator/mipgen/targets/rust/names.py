@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ... import model as m
-from ...naming import Escape, pascal, upper
-from ...render import language
+from mipgen import model as m
+from mipgen.emit.naming import Escape, Grammar, pascal, upper
+from mipgen.emit.render import language
 
 Record = m.Field | m.Struct
 
 LANGUAGE = language("rust")
 KEYWORDS = frozenset(LANGUAGE["keywords"])
+GRAMMAR = Grammar(r"[A-Za-z]\w*|_\w+", KEYWORDS)
 
 module = Escape(KEYWORDS, digit_prefix="mip_")
 member = Escape(KEYWORDS)
@@ -81,14 +82,21 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 def home(thing: m.Type | Record) -> str:
     """The module of a type."""
     if isinstance(thing, m.Field):
-        return module(thing.set_name)
+        return module(thing.family)
     owner = None if isinstance(thing, m.Vector) else thing.owner
     return module(owner) if owner else "types"
 
 
-def feature(s: m.Set) -> str:
-    """The cargo feature of a descriptor set."""
-    return module(s.name)
+def feature(family: m.Family) -> str:
+    """The cargo feature of a family."""
+    return module(family.name)
+
+
+def set_constant(s: m.Set, family: m.Family) -> str:
+    """The number of a descriptor set: `SET` if the family has no other; empty if no packet has it."""
+    if family.kind == "shared":
+        return ""
+    return constant(s.name) if len(family.sets) > 1 else "SET"
 
 
 def path(thing: m.Type | Record, here: str) -> str:

@@ -5,8 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ... import model as m
-from .names import Record, constant, constants, constructor, home, inner, member, path, scalar, type_name, variant
+from mipgen import model as m
+from mipgen.lower import calls, extent, presence
+
+from .names import (
+    Record,
+    constant,
+    constants,
+    constructor,
+    home,
+    inner,
+    member,
+    module,
+    path,
+    scalar,
+    type_name,
+    variant,
+)
 
 BOOL = scalar(m.SCALARS["bool"])
 DEFAULT = "core::default::Default::default()"
@@ -98,7 +113,7 @@ class Conversion:
 
     @property
     def needs(self) -> list[str]:
-        """The features of the sets that own the types."""
+        """The features of the families that own the types."""
         return sorted({home(self.of), home(self.to)} - {"types"})
 
 
@@ -117,9 +132,9 @@ class Records:
     def all(self) -> Iterator[Record]:
         yield from structs(self.model.types)
         yield self.model.protocol.acknowledge
-        for s in self.model.sets:
-            yield from structs(s.types)
-            yield from s.fields
+        for family in self.model.families:
+            yield from structs(family.types)
+            yield from family.fields
 
     # ------------------------------------------------------------------ types
 
@@ -139,10 +154,10 @@ class Records:
     def rust(self, op: m.Operation, here: str) -> str:
         """The type of what an operation reads."""
         match op:
-            case m.ScalarOp():
-                return path(op.type, here) if op.type else scalar(op.scalar)
-            case m.BitsOp():
+            case m.ScalarOp() | m.BitsOp() if op.type:
                 return path(op.type, here)
+            case m.ScalarOp():
+                return scalar(op.scalar)
             case m.TextOp():
                 return f"crate::Text<{op.count}>" if op.count is not None else f"crate::VarText<{op.capacity}>"
             case m.ArrayOp() if op.vector is not None:
@@ -165,9 +180,9 @@ class Records:
         return found
 
     def _made(self, record: Record) -> list[Member]:
-        groups = [p for op in record.operations if isinstance(op, m.GroupOp) for p in op.body]
+        absent = presence.last(record)
         return [
-            Member(member(p.name), self.rust(p.operation, home(record)), p.operation in groups, p)
+            Member(member(p.name), self.rust(p.operation, home(record)), p.name in absent, p)
             for p in record.parameters
             if not p.derived
         ]
@@ -188,34 +203,27 @@ class Records:
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: Record) -> list[Constructor]:
-        if isinstance(record, m.Struct):
-            call = m.Call(None, record.parameters, ())
-            return [self._constructor(record, call, "new", "Creates it from its values.")]
-        if record.role != m.COMMAND:
-            return []
-        return [
-            self._constructor(record, call, constructor(call.function), call.function.description)
-            if call.function
-            else self._constructor(record, call, "new", "Creates the command from its parameters.")
-            for call in record.calls
-        ]
+        return [self._constructor(record, way) for way in calls.constructors(record)]
 
-    def _constructor(self, record: Record, call: m.Call, name: str, description: str) -> Constructor:
+    def _constructor(self, record: Record, way: calls.Constructor) -> Constructor:
         """The caller gives no reserved values, and no tag whose union is given."""
-        members = [x for x in self.members(record) if not x.parameter.selector]
-        needed = [x for x in members if x.parameter in call.required]
-        unions = {x.parameter.tag: x for x in needed if x.parameter.tag}
         given, values = [], []
-        for x in members:
-            if x not in needed:
-                values += [] if call.function else [(x.name, "None")]
-            elif x.parameter.reserved is not None:
-                values.append((x.name, reserved(x.parameter)))
-            elif x.parameter.name in unions:
-                values.append((x.name, f"{unions[x.parameter.name].name}.tag()"))
-            else:
+        for x in self.members(record):
+            p = x.parameter
+            if p in way.values and p.name not in way.unions:
                 given.append(x)
-        return Constructor(name, description, call.function, tuple(given), tuple(values))
+            elif p in way.values:
+                values.append((x.name, f"{member(way.unions[p.name].name)}.tag()"))
+            elif p in way.required:
+                values.append((x.name, reserved(p)))
+            elif not way.function:
+                values.append((x.name, "None"))
+        if way.function:
+            return Constructor(
+                constructor(way.function), way.function.description, way.function, tuple(given), tuple(values)
+            )
+        what = "the command from its parameters" if isinstance(record, m.Field) else "it from its values"
+        return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
     def settable(self, record: Record) -> list[Member]:
         """What a caller may add to a command."""
@@ -238,23 +246,20 @@ class Records:
                 found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
         return found
 
-    def needs(self, s: m.Set) -> list[str]:
-        """The features of the sets whose types the fields of a set have."""
-        records: list[Record] = [*s.fields, *structs(s.types)]
+    def needs(self, family: m.Family) -> list[str]:
+        """The features of the families whose types the fields of a family have."""
+        records: list[Record] = [*family.fields, *structs(family.types)]
         used = [t for record in records for t in self._types(record)]
-        used += [b.enum for t in (*s.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
-        return sorted({home(t) for t in used} - {"types", home(s.fields[0])} if s.fields else set())
+        used += [b.enum for t in (*family.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
+        return sorted({home(t) for t in used} - {"types", module(family.name)})
 
     def _types(self, record: Record) -> Iterator[m.Type]:
         yield from (v.type for p in record.parameters for v in p.readings if v.type)
         for op in _parts(record.operations):
-            match op:
-                case m.ScalarOp() | m.BitsOp() if op.type:
-                    yield op.type
-                case m.StructOp():
-                    yield op.struct
-                case m.SwitchOp():
-                    yield op.tag_type
+            if op.named:
+                yield op.named
+            elif isinstance(op, m.StructOp):
+                yield op.struct
 
     def conversions(self) -> list[Conversion]:
         """From the named types of members to the types that they are read as."""
@@ -272,7 +277,7 @@ def structs(types: Iterable[m.Type]) -> list[m.Struct]:
 
 
 def union_derives(union: Union) -> list[str]:
-    return _derives([union.operation], _size(union.operation))
+    return _derives([union.operation], extent.size(union.operation)[1])
 
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
@@ -284,7 +289,7 @@ def responses_derive(responses: Iterable[m.Field]) -> list[str]:
 def _derives(operations: Iterable[m.Operation], size: int) -> list[str]:
     """`Copy` of what is small and has no lists, `Eq` and `Hash` of what has no floats."""
     parts = list(_parts(operations))
-    lists = size > MAX_COPIED or any(isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None for op in parts)
+    lists = size > MAX_COPIED or any(op.open for op in parts)
     floats = any(isinstance(op, m.ScalarOp) and op.scalar.kind == "float" for op in parts)
     return [*([] if lists else ["Copy"]), *([] if floats else ["Eq", "Hash"])]
 
@@ -293,36 +298,12 @@ def _parts(operations: Iterable[m.Operation]) -> Iterator[m.Operation]:
     """The operations, and those inside of them."""
     for op in operations:
         yield op
-        match op:
-            case m.ArrayOp():
-                yield from _parts([op.item])
-            case m.StructOp():
-                yield from _parts(op.struct.operations)
-            case m.SwitchOp():
-                yield from _parts([c.operation for c in op.cases if c.operation])
-            case m.GroupOp():
-                yield from _parts(op.body)
-
-
-def _size(op: m.Operation) -> int:
-    """The maximum size of what an operation reads."""
-    match op:
-        case m.ScalarOp() | m.BitsOp():
-            return op.size
-        case m.TextOp():
-            return op.count if op.count is not None else op.capacity
-        case m.ArrayOp():
-            return (op.count if op.count is not None else op.capacity) * _size(op.item)
-        case m.StructOp():
-            return op.struct.max_size
-        case m.SwitchOp():
-            return max((_size(c.operation) for c in op.cases if c.operation), default=0)
-    return 0
+        yield from _parts(op.inside)
 
 
 def is_sequence(record: Record) -> bool:
     """Has it just its members on the wire, one after another?"""
-    plain = all(isinstance(op, (m.ScalarOp, m.BitsOp, m.StructOp, m.ArrayOp, m.TextOp)) for op in record.operations)
+    plain = not any(op.kind in ("constant", "counter", "switch", "group") for op in record.operations)
     return plain and not any(p.selector or member(p.name) != p.name for p in record.parameters)
 
 
@@ -343,8 +324,7 @@ def default(op: m.Operation) -> str:
 
 def raw(x: Member) -> str:
     """The type of its number, or of its bytes."""
-    op = x.parameter.operation
-    named = op.type if isinstance(op, (m.ScalarOp, m.BitsOp)) else None
+    named = x.parameter.operation.named
     return inner(named) if named else x.type
 
 

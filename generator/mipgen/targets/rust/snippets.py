@@ -1,114 +1,125 @@
-"""How a program in Rust uses a field: a few lines for documentation, with typical values."""
+"""How a program in Rust uses a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import dataclass, field
 
-from ... import model as m
-from ...descriptors import hexadecimal
-from ...typical import Given, Typical, decimal, flags, title_of
-from ...wrapping import call
+from mipgen import model as m
+from mipgen.emit.wrapping import Brackets, Expression, laid_out
+from mipgen.facts import literals
+from mipgen.facts.literals import Literal
+from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
+
 from .names import Record, constant, home, path, variant
-from .records import Records
+from .records import Constructor, Records
+
+WIDTH = 84
 
 
-class Snippets:
-    def __init__(self, typical: Typical) -> None:
-        self.typical = typical
-        self.records = Records(typical.model)
+@dataclass(frozen=True)
+class Programs:
+    samples: SampleValues
 
     def command(self, f: m.Field) -> str:
         """Sends it to a device."""
-        return _uses("\n".join(self._sent(f, self.typical)))
+        program = self._program()
+        return program.text(program.sent(f, self.samples))
 
-    def sequence(self, steps: Sequence[tuple[m.Field, Given]]) -> str:
+    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
         """Sends several commands; one that is not acknowledged returns its error."""
-        lines = []
+        program, lines = self._program(), []
         for i, (f, given) in enumerate(steps):
-            lines += [f"// {i + 1}: {title_of(f, given)}", *self._sent(f, given)]
+            lines += [f"// {i + 1}: {title_of(f, given)}", *program.sent(f, given)]
             lines += [f"// {given.host}"] if given.host else []
-        return _uses("\n".join(lines))
-
-    def _sent(self, f: m.Field, typical: Typical) -> list[str]:
-        lines = []
-        constructors = self.records.constructors(f)
-        for shown in typical.shown(f):
-            values = typical.values(f, shown)
-            made = next(c for c in constructors if c.function == shown.function)
-            arguments = [self._value(x.parameter, values[x.parameter.name], f) for x in made.given]
-            asks = bool(typical.replies(f, shown))
-            head = f"{'let response = device.request' if asks else 'device.run'}(&{_name(f)}::{made.name}("
-            lines.append(call(head, arguments, "))?;", 84))
-            lines += ['println!("{response:?}");'] if asks else []
-        return lines
+        return program.text(lines)
 
     def data(self, f: m.Field) -> str:
         """Takes it from a packet."""
-        read = next((f"value.{x.name}" for x in self.records.members(f)), "value")
-        found = f"packet.find::<{_name(f)}>().transpose()?"  # a broken one is an error, as a refused command is
-        return _uses(f'if let Some(value) = {found} {{\n    println!("{{:?}}", {read});\n}}')
+        program = self._program()
+        read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
+        # A broken one is an error, as a refused command is.
+        found = f"packet.find::<{program.name(f)}>().transpose()?"
+        return program.text([f"if let Some(value) = {found} {{", f'    println!("{{:?}}", {read});', "}"])
 
-    def _value(self, p: m.Parameter, value: Any, record: Record, op: m.Operation | None = None) -> str:
-        """A value of a parameter, or of an item of its array."""
-        op = op or p.operation
-        match op:
-            case m.ScalarOp():
-                return _number(p, op, value)
-            case m.BitsOp():
-                return f"{_name(op.type)}({value})"
-            case m.TextOp():
-                text = value.replace("\\", "\\\\").replace('"', '\\"')
-                return f'~Text(*b"{text}")' if op.count is not None else f'~VarText::new("{text}").unwrap()'
-            case m.ArrayOp():
-                array = f"[{', '.join(self._inner(p, v, record, op.item) for v in value)}]"
-                return f"{_name(op.vector)}::from({array})" if op.vector else array
-            case m.StructOp():
-                (made,) = self.records.constructors(op.struct)
-                given = [self._value(x.parameter, value[x.parameter.name], op.struct) for x in made.given]
-                return f"{_name(op.struct)}::{made.name}({', '.join(given)})"
-            case m.SwitchOp():
-                return self._union(op, value, record)
-        raise AssertionError(op)
+    def _program(self) -> _Program:
+        return _Program(self.samples.model.derived(Records))
 
-    def _union(self, op: m.SwitchOp, value: Any, record: Record) -> str:
-        union = f"~{home(record)}::{self.records.union(op, home(record)).name}"
-        case = next((c for c in op.cases if c.parameter and c.parameter.name in value), None)
-        if case is None or case.parameter is None:
-            case = next(c for c in op.cases if c.parameter is None)
-            return f"{union}::{variant(case.tag.name)}"
-        inner = self._inner(case.parameter, value[case.parameter.name], record)
-        return f"{union}::{variant(case.tag.name)}({inner})"
 
-    def _inner(self, p: m.Parameter, value: Any, record: Record, op: m.Operation | None = None) -> str:
+@dataclass
+class _Program:
+    """One program, and the items of the crate that it needs."""
+
+    records: Records
+    uses: set[str] = field(default_factory=set)
+
+    def text(self, lines: Sequence[str]) -> str:
+        """Whole, with what it needs in front."""
+        used = sorted(self.uses)
+        names = used[0] if len(used) == 1 else f"{{{', '.join(used)}}}"
+        return "\n".join([f"use mip_protocol::{names};", "", *lines])
+
+    def item(self, words: str) -> str:
+        """An item of the crate: a type of its own, or one of a module."""
+        self.uses.add(words.partition("::")[0])
+        return words
+
+    def name(self, thing: m.Type | Record) -> str:
+        return self.item(path(thing, "").removeprefix("crate::"))
+
+    def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
+        lines = []
+        ways = {way.function: way for way in self.records.constructors(f)}
+        for shown in samples.shown(f):
+            way, asks = ways[shown.function], bool(samples.replies(f, shown))
+            arguments = self.arguments(way, literals.record(f.parameters, samples.values(f, shown)), f)
+            head = f"{'let response = device.request' if asks else 'device.run'}(&{self.name(f)}::{way.name}("
+            lines.append(laid_out(Brackets(head, arguments, "))?;"), WIDTH))
+            lines += ['println!("{response:?}");'] if asks else []
+        return lines
+
+    def arguments(self, way: Constructor, values: dict[str, Literal], record: Record) -> list[Expression]:
+        return [self.value(values[x.parameter.name], record) for x in way.given]
+
+    def value(self, x: Literal, record: Record) -> Expression:
+        match x:
+            case literals.Decimal():
+                return x.text
+            case literals.Truth():
+                return "true" if x.value else "false"
+            case literals.Whole():
+                return x.text
+            case literals.Choice():
+                name = self.name(x.type)
+                return f"{name}::{constant(x.known.name)}" if x.known else f"{name}({x.number.value})"
+            case literals.Flags():
+                name = self.name(x.type)
+                return " | ".join(f"{name}::{constant(b.name)}" for b in x.names) or f"{name}({x.number.value:#x})"
+            case literals.Octets():
+                return Brackets(f"{self.name(x.type)}(", [Brackets("[", [*map(str, x.bytes)], "]")], ")")
+            case literals.Text():
+                text = x.text.replace("\\", "\\\\").replace('"', '\\"')
+                return f'{self.item("VarText")}::new("{text}").unwrap()' if x.count is None else self.fixed(text)
+            case literals.Items():
+                array = Brackets("[", [self.inner(item, record) for item in x.items], "]")
+                return Brackets(f"{self.name(x.vector)}::from(", [array], ")") if x.vector else array
+            case literals.Structure():
+                (way,) = self.records.constructors(x.type)
+                return Brackets(f"{self.name(x.type)}::{way.name}(", self.arguments(way, x.members, x.type), ")")
+            case literals.Alternative():
+                return self.alternative(x, record)
+
+    def fixed(self, text: str) -> Expression:
+        return Brackets(f"{self.item('Text')}(", [f'*b"{text}"'], ")")
+
+    def alternative(self, x: literals.Alternative, record: Record) -> Expression:
+        name = self.item(f"{home(record)}::{self.records.union(x.union, home(record)).name}")
+        assert x.case is not None
+        one = f"{name}::{variant(x.case.tag.name)}"
+        return Brackets(f"{one}(", [self.inner(x.value, record)], ")") if x.value else one
+
+    def inner(self, x: Literal, record: Record) -> Expression:
         """Constructors take a `bool`, everything else holds a `Bool`."""
-        op = op or p.operation
-        if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool":
-            return f"~Bool({value})"
-        return self._value(p, value, record, op)
-
-
-def _name(thing: m.Type | Record) -> str:
-    return "~" + path(thing, "").removeprefix("crate::")
-
-
-def _uses(text: str) -> str:
-    """What it needs, in front of it."""
-    used = sorted(set(re.findall(r"~(\w+)", text)))
-    names = used[0] if len(used) == 1 else f"{{{', '.join(used)}}}"
-    return f"use mip_protocol::{names};\n\n{text.replace('~', '')}"
-
-
-def _number(p: m.Parameter, op: m.ScalarOp, value: Any) -> str:
-    if op.scalar.kind == "float":
-        return decimal(value)
-    if op.scalar.kind == "bool":
-        return "true" if value else "false"
-    if isinstance(op.type, m.Enum):
-        known = next((v for v in op.type.values if v.value == value), None)
-        return f"{_name(op.type)}::{constant(known.name)}" if known else f"{_name(op.type)}({value})"
-    if isinstance(op.type, m.Bitfield):
-        named = flags(op.type, value)
-        return " | ".join(f"{_name(op.type)}::{constant(b.name)}" for b in named) or f"{_name(op.type)}({value:#x})"
-    return hexadecimal(p, value) if p.shown else str(value)
+        if isinstance(x, literals.Truth):
+            return f"{self.item('Bool')}({x.byte})"
+        return self.value(x, record)

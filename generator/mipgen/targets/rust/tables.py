@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ... import model as m
+from mipgen import model as m
+
 from .names import constant, feature
 
 
@@ -39,10 +40,10 @@ def octets(op: m.ConstantOp) -> list[int]:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Fields that packets of the same sets may hold."""
+    """The fields of a family."""
 
     when: str  # the feature that they need
-    sets: tuple[int, int]
+    sets: Sequence[int]  # in which any of them occurs
     fields: tuple[m.Field, ...]
 
 
@@ -75,31 +76,30 @@ def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
     return (c.parameter for c in p.cases if c.parameter)
 
 
+def sets(numbers: Sequence[int], separator: str) -> str:
+    """The numbers of descriptor sets: a range, or one by one.
+
+    >>> sets(range(1, 128), " "), sets((0x81, 0x91), " | ")
+    ('0x01..=0x7F', '0x81 | 0x91')
+    """
+    if isinstance(numbers, range):
+        return f"0x{numbers[0]:02X}..=0x{numbers[-1]:02X}"
+    return separator.join(f"0x{n:02X}" for n in numbers)
+
+
+def _group(when: str, fields: tuple[m.Field, ...]) -> Group:
+    everywhere = fields[0].everywhere
+    return Group(when, everywhere or tuple(sorted({n for f in fields for n in f.sets})), fields)
+
+
 class Tables:
     def __init__(self, model: m.Model) -> None:
         self.model = model
 
     def groups(self) -> list[Group]:
-        """All fields as the registry looks for them: by set, those that many sets may hold last."""
-        ack = self.model.protocol.acknowledge
-        found = []
-        for s in sorted(self.model.sets, key=lambda s: s.number):
-            if s.fields:
-                found.append(Group(f'feature = "{feature(s)}"', self.set_range(s.fields[0]), s.fields))
-        return [*found, Group("all()", self.set_range(ack), (ack,))]
-
-    def set_range(self, f: m.Field) -> tuple[int, int]:
-        """The sets whose packets can hold the field."""
-        if f is self.model.protocol.acknowledge:
-            return 0x01, 0x7F
-        return (0x80, 0xFF) if f.set == 0xFF else (f.set, f.set)
-
-    def set_pattern(self, f: m.Field) -> str:
-        """The sets of a field as a pattern, if it has others besides its own."""
-        first, last = self.set_range(f)
-        if first != last:
-            return f"0x{first:02X}..=0x{last:02X}"
-        return ""
+        """All fields as the registry looks for them: by family, those that every set has last."""
+        found = [_group(f'feature = "{feature(x)}"', x.fields) for x in self.model.families if x.fields]
+        return [*found, _group("all()", (self.model.protocol.acknowledge,))]
 
     def linked(self, f: m.Field) -> list[str]:
         """The responses of a command, or the commands of a response."""
@@ -107,7 +107,7 @@ class Tables:
 
     def layouts(self, f: m.Field) -> int:
         """How many layouts the descriptor has."""
-        return len(self.model.candidates(f.set, f.descriptor))
+        return len(self.model.layouts(f))
 
     def sizes(self, f: m.Field) -> str:
         """The sizes of data that a layout may have; empty if it may have any."""

@@ -6,16 +6,12 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
-from ... import model as m
-from ...render import File
+from mipgen import model as m
+from mipgen.emit import package
+from mipgen.emit.target import File, Target
+
 from . import names, rows, texts
 from .names import identifiers
-
-__all__ = ["CONFORMANCE", "NEEDS", "TITLE", "files", "filters", "identifiers"]
-
-TITLE = "Wireshark dissector, Lua"
-CONFORMANCE = ("decode",)
-NEEDS = "tshark"
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -38,3 +34,15 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "parameter_doc": partial(texts.parameter_doc, model=model),
         "bits_doc": partial(texts.bits_doc, model=model),
     }
+
+
+TARGET = Target(
+    title="Wireshark dissector, Lua",
+    files=files,
+    filters=filters,
+    identifiers=identifiers,
+    rename=package.everywhere,
+    grammar=names.GRAMMAR,
+    conformance=("decode",),
+    needs="tshark",
+)

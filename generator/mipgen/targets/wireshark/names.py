@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ... import model as m
-from ...naming import Identifier
-from ...render import language
+from mipgen import model as m
+from mipgen.emit.naming import Grammar, Identifier
+from mipgen.emit.render import language
 
 LANGUAGE = language("wireshark")
 PREFIX: str = LANGUAGE["prefix"]
+GRAMMAR = Grammar(r"[a-z0-9_]+(\.[a-z0-9_]+)*")  # of display filters
 
 
-def field_filter(f: m.Field) -> str:
-    return f"{PREFIX}.{f.set_name}.{f.name}"
+def field_filter(f: m.Field, o: m.Occurrence | None = None) -> str:
+    """The filter of a field in one of its sets, the first one if none is given."""
+    return f"{PREFIX}.{(o or f.occurrences[0]).set_name}.{f.name}"
 
 
 def plain(f: m.Field) -> bool:
@@ -51,10 +53,11 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for name in LANGUAGE["fields"]:
         yield _filter(f"{PREFIX}.{name}", f"{name} of the dissector", None)
     for f in (model.protocol.acknowledge, *model.fields):
-        path = field_filter(f)
-        if not plain(f):
-            yield _filter(path, f.full_name, f.position)
-        yield from _parts(f.parameters, path, f.position)
+        for o in f.occurrences:
+            path = field_filter(f, o)
+            if not plain(f):
+                yield _filter(path, f.name_in(o.set), f.position)
+            yield from _parts(f.parameters, path, f.position)
 
 
 def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | None) -> Iterator[Identifier]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from ... import codec
-from ... import model as m
+from mipgen import model as m
+from mipgen.lower import extent
+
 from . import texts
 
 Record = m.Field | m.Struct
@@ -52,20 +53,12 @@ def _rows(operations: tuple[m.Operation, ...], record: Record) -> Iterator[Row]:
             yield _row(op, parameters[op.member], record)
 
 
-def _row(op: m.Operation, p: m.Parameter | None, record: Record | None) -> Row:
-    assert not isinstance(op, m.GroupOp)
-    named: Named | None = None
-    item: Row | None = None
-    size = 0
-    cases: tuple[tuple[m.Case, Row | None], ...] = ()
-    match op:
-        case m.ScalarOp() | m.BitsOp():
-            named = op.type
-        case m.ArrayOp():
-            item, size = _row(op.item, None, None), codec.size_of(op.item)
-        case m.SwitchOp():
-            cases = tuple((c, _row(c.operation, c.parameter, record) if c.operation else None) for c in op.cases)
-    return Row(op.kind, op.member, op, p, record, named, item, size, (), cases)
+def _row(op: m.ValueOp, p: m.Parameter | None, record: Record | None) -> Row:
+    row = Row(op.kind, op.member, op, p, record, op.named)
+    if isinstance(op, m.ArrayOp):
+        return replace(row, item=_row(op.item, None, None), size=extent.element(op))
+    cases = ((c, _row(c.operation, c.parameter, record) if c.operation else None) for c in (p.cases if p else ()))
+    return replace(row, cases=tuple(cases))
 
 
 # --------------------------------------------------------------------------- bits

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ... import describe
-from ... import model as m
+from mipgen import model as m
+from mipgen.facts import describe
 
 Record = m.Field | m.Struct
 

@@ -3,6 +3,8 @@
 -- The tables describe the protocol; the code after them interprets the tables and knows no message.
 
 local VERSION = "0.1.0"
+local NAME = "mip_protocol"
+local TITLE = "MIP protocol"
 local PREFIX = "mip"
 local SYNC = "\117\101"
 local ACKNOWLEDGE = 0xF1
@@ -76,96 +78,92 @@ S["tools.reading"] = {
   { kind = "scalar", name = "value", type = "float", size = 4, doc = "Of the reading." },
 }
 
--- The layouts of fields; those of other sets are used again.
-local L = {}
-local function rows(name, found)
-  L[name] = found
-  return found
-end
-
 local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", role = "response", title = "Acknowledge",
     doc = "Answers one command field. A response, if there is one, follows it in the same packet.", least = 2,
     always = 2,
-    rows = rows("protocol.acknowledge", {
+    rows = {
       { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that is answered." },
       { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "Zero acknowledges, any other value refuses. On the Model B: values of mode.", readings = { {device = "model-b", enum = E["mode"] }, } },
-    }) }
+    } }
 
 -- Descriptor sets.
 local SETS = {}
 SETS[0x01] = { number = 0x01, name = "tools", title = "Tools", fields = {}, named = { [0x20] = "Farewell", [0xA0] = "Farewell answer", } }
 SETS[0x0C] = { number = 0x0C, name = "3d", title = "Awkward names", fields = {}, named = { } }
 SETS[0x80] = { number = 0x80, name = "measurements", title = "Measurements", fields = {}, named = { [0x5F] = "Shade", [0x60] = "Ghost", } }
-SETS[0x81] = { number = 0x81, name = "more", title = "More measurements", fields = {}, named = { } }
+SETS[0x81] = { number = 0x81, name = "more", title = "More measurements", fields = {}, named = { [0x5F] = "Shade", [0x60] = "Ghost", } }
 SETS[0x92] = { number = 0x92, name = "copy", title = "Copied measurements", fields = {}, named = { [0x5F] = "Shade", [0x60] = "Ghost", } }
 SETS[0xFF] = { number = 0xFF, name = "shared", title = "Shared", fields = {}, named = { } }
 
-local function field(set, f)
-  f.set = set
-  local known = SETS[set].fields
-  known[f.descriptor] = known[f.descriptor] or {}
-  table.insert(known[f.descriptor], f)
+-- A field in each of its sets, where it has a name and filters of its own.
+local function field(f, places)
+  for _, place in ipairs(places) do
+    local own = setmetatable({ set = place.set, name = place.name, title = place.title }, { __index = f })
+    local known = SETS[own.set].fields
+    known[f.descriptor] = known[f.descriptor] or {}
+    table.insert(known[f.descriptor], own)
+  end
 end
-field(0x01, { descriptor = 0x01, name = "tools.ping", role = "command", title = "Ping",
+field({ descriptor = 0x01, name = "tools.ping", role = "command", title = "Ping",
     doc = "Tests the line.", least = 0,
     always = 0,
-    rows = rows("tools.ping", {
-    }) })
-field(0x01, { descriptor = 0x02, name = "tools.settings", role = "command", title = "Settings",
+    rows = {
+    } }, { { set = 0x01, name = "tools.ping", title = "Ping" }, })
+field({ descriptor = 0x02, name = "tools.settings", role = "command", title = "Settings",
     doc = "Every function, and a prefix of parameters for each.", least = 1,
     required = { [1] = 3, [2] = 2, [3] = 1, [4] = 1, [5] = 1, [6] = 3, }, silent = { [6] = true, },
-    rows = rows("tools.settings", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Number of the port, 0 for all. Range: 0 to 8." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "What to do. Default: fast. On the Model C: only default and fast; not deprecated." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Speed. Unit: Bd. Default: 115200." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "limit", type = "u16", size = 2, doc = "Required by no function, not even by write. If mode is fast: unit s; range 1 to 10; default 5. If mode is slow: unit m." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 1." }, } },
-    }) })
-field(0x01, { descriptor = 0x03, name = "tools.set_time", role = "command", title = "Set time",
+    } }, { { set = 0x01, name = "tools.settings", title = "Settings" }, })
+field({ descriptor = 0x03, name = "tools.set_time", role = "command", title = "Set time",
     doc = "Two responses for one command.", least = 1,
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
-    rows = rows("tools.set_time", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "part", type = "u8", size = 1, enum = E["mode"], doc = "Which half of the time." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, units = {"s", }, doc = "The new value. Unit: s." }, } },
-    }) })
-field(0x01, { descriptor = 0x04, name = "tools.status", role = "command", title = "Status",
+    } }, { { set = 0x01, name = "tools.set_time", title = "Set time" }, })
+field({ descriptor = 0x04, name = "tools.status", role = "command", title = "Status",
     doc = "Layouts of one response, told apart by constants and by size.", least = 3,
     always = 2,
     constants = { { at = 0, value = "\18\103" }, },
     timeout = 2.5,
-    rows = rows("tools.status", {
+    rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model that the layouts belong to." },
       { kind = "scalar", name = "selector", type = "u8", size = 1, doc = "Which layout. Range: 1 to 2. On the Model C: always 2." },
-    }) })
-field(0x01, { descriptor = 0x05, name = "tools.bias", role = "command", title = "Bias",
+    } }, { { set = 0x01, name = "tools.status", title = "Status" }, })
+field({ descriptor = 0x05, name = "tools.bias", role = "command", title = "Bias",
     doc = "Its response serves another command too.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
-    rows = rows("tools.bias", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Taken off the measurement. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-    }) })
-field(0x01, { descriptor = 0x06, name = "tools.capture_bias", role = "command", title = "Capture bias",
+    } }, { { set = 0x01, name = "tools.bias", title = "Bias" }, })
+field({ descriptor = 0x06, name = "tools.capture_bias", role = "command", title = "Capture bias",
     doc = "Measures the bias.", least = 2,
     always = 1,
-    rows = rows("tools.capture_bias", {
+    rows = {
       { kind = "scalar", name = "time", type = "u16", size = 2, units = {"s", }, doc = "How long. Unit: s. Range: 1 to 30." },
-    }) })
-field(0x01, { descriptor = 0x07, name = "tools.formats", role = "command", title = "Formats",
+    } }, { { set = 0x01, name = "tools.capture_bias", title = "Capture bias" }, })
+field({ descriptor = 0x07, name = "tools.formats", role = "command", title = "Formats",
     doc = "Counted arrays of structures and of numbers; not answered if told so.", least = 3,
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
-    rows = rows("tools.formats", {
+    rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_segments", type = "u8", size = 1, doc = "Number of segments." },
-      { kind = "scalar", name = "checkpoint", type = "u8", size = 1, doc = "Between a counter and its array." },
+      { kind = "scalar", name = "checkpoint", type = "u8", size = 1, doc = "Between a counter and its array. Deprecated." },
       { kind = "array", name = "segments", counter = "num_segments", capacity = 25, size = 10, doc = "The segments.", item = { kind = "struct", name = "item", record = S["segment"] } },
-    }) })
-field(0x01, { descriptor = 0x08, name = "tools.choice", role = "command", title = "Choice",
+    } }, { { set = 0x01, name = "tools.formats", title = "Formats" }, })
+field({ descriptor = 0x08, name = "tools.choice", role = "command", title = "Choice",
     doc = "A tagged union with an empty variant, nested unions, arrays and strings in it.", least = 1,
     required = { [1] = 3, [2] = 1, }, silent = { },
-    rows = rows("tools.choice", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Which one." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "shape", type = "u8", size = 1, enum = E["tools.shape"], doc = "Which member follows." }, } },
@@ -175,76 +173,76 @@ field(0x01, { descriptor = 0x08, name = "tools.choice", role = "command", title 
       [2] = { label = "path", item = { kind = "struct", name = "path", record = S["tools.path"], doc = "" } },
       [3] = { label = "turn", item = { kind = "array", name = "rotation", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "A rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [4] = { label = "label", item = { kind = "text", name = "label", count = 8, capacity = 8, doc = "A name." } }, } }, } },
-    }) })
-field(0x01, { descriptor = 0x09, name = "tools.list", role = "command", title = "List",
+    } }, { { set = 0x01, name = "tools.choice", title = "Choice" }, })
+field({ descriptor = 0x09, name = "tools.list", role = "command", title = "List",
     doc = "Optional counted array; a read may carry a zero count.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, }, silent = { },
-    rows = rows("tools.list", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of items." }, { kind = "array", name = "items", counter = "count", capacity = 125, size = 2, doc = "The items.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
-    }) })
-field(0x01, { descriptor = 0x0A, name = "tools.inventory", role = "command", title = "Inventory",
+    } }, { { set = 0x01, name = "tools.list", title = "List" }, })
+field({ descriptor = 0x0A, name = "tools.inventory", role = "command", title = "Inventory",
     doc = "Answers with an array to the end of the field.", least = 0,
     always = 0,
-    rows = rows("tools.inventory", {
-    }) })
-field(0x01, { descriptor = 0x0B, name = "tools.pin", role = "command", title = "Pin",
+    rows = {
+    } }, { { set = 0x01, name = "tools.inventory", title = "Inventory" }, })
+field({ descriptor = 0x0B, name = "tools.pin", role = "command", title = "Pin",
     doc = "The names of one number depend on another.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
-    rows = rows("tools.pin", {
+    rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What drives it." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "use", type = "u8", size = 1, doc = "How it is used. If drive is pulse: values of pulse_use. If drive is serial: values of serial_use.", readings = { {by = "drive", value = 1, enum = E["tools.pulse_use"] }, {by = "drive", value = 2, enum = E["tools.serial_use"] }, } }, } },
-    }) })
-field(0x01, { descriptor = 0x0C, name = "tools.hello", role = "command", title = "Hello",
+    } }, { { set = 0x01, name = "tools.pin", title = "Pin" }, })
+field({ descriptor = 0x0C, name = "tools.hello", role = "command", title = "Hello",
     doc = "The device asks and a host answers.", least = 4,
     always = 1,
     from_device = true,
-    rows = rows("tools.hello", {
+    rows = {
       { kind = "scalar", name = "reserved", type = "float", size = 4, doc = "Reserved: send 1.0." },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "later", count = 2, capacity = 2, size = 8, doc = "Reserved: send 0.0.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
-    }) })
-field(0x01, { descriptor = 0x0D, name = "tools.readings", role = "command", title = "Readings",
+    } }, { { set = 0x01, name = "tools.hello", title = "Hello" }, })
+field({ descriptor = 0x0D, name = "tools.readings", role = "command", title = "Readings",
     doc = "A parameter outside of a structure says how its members are read.", least = 1,
     always = 1,
-    rows = rows("tools.readings", {
+    rows = {
       { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What is asked for." },
-    }) })
-field(0x01, { descriptor = 0x0E, name = "tools.poll", role = "command", title = "Poll",
+    } }, { { set = 0x01, name = "tools.readings", title = "Readings" }, })
+field({ descriptor = 0x0E, name = "tools.poll", role = "command", title = "Poll",
     doc = "Descriptors of a set that a parameter names, and of one that is always the same.", least = 3,
     always = 4,
-    rows = rows("tools.poll", {
+    rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
       { kind = "scalar", name = "first", type = "u8", size = 1, doc = "Field descriptor. Refers to fields of Measurements. Default: 0x01." },
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of fields." },
       { kind = "array", name = "descriptors", counter = "count", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-    }) })
-field(0x01, { descriptor = 0x82, name = "tools.settings_response", role = "response", title = "Settings response",
+    } }, { { set = 0x01, name = "tools.poll", title = "Poll" }, })
+field({ descriptor = 0x82, name = "tools.settings_response", role = "response", title = "Settings response",
     doc = "", least = 9,
     always = 5,
-    rows = rows("tools.settings_response", {
+    rows = {
       { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Number of the port, 0 for all. Range: 0 to 8." },
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "What to do. Default: fast." },
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Speed. Unit: Bd. Default: 115200." },
       { kind = "scalar", name = "limit", type = "u16", size = 2, doc = "Required by no function, not even by write. If mode is fast: unit s; range 1 to 10; default 5. If mode is slow: unit m." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved." },
-    }) })
-field(0x01, { descriptor = 0x83, name = "tools.set_time_fast_response", role = "response", title = "Set time response",
+    } }, { { set = 0x01, name = "tools.settings_response", title = "Settings response" }, })
+field({ descriptor = 0x83, name = "tools.set_time_fast_response", role = "response", title = "Set time response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("tools.set_time_fast_response", {
+    rows = {
       { kind = "scalar", name = "value", type = "u32", size = 4, units = {"s", }, doc = "The fast half. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x84, name = "tools.set_time_slow_response", role = "response", title = "Set time response",
+    } }, { { set = 0x01, name = "tools.set_time_fast_response", title = "Set time response" }, })
+field({ descriptor = 0x84, name = "tools.set_time_slow_response", role = "response", title = "Set time response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("tools.set_time_slow_response", {
+    rows = {
       { kind = "scalar", name = "value", type = "u32", size = 4, units = {"s", }, doc = "The slow half. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x88, name = "tools.choice_response", role = "response", title = "Choice response",
+    } }, { { set = 0x01, name = "tools.set_time_slow_response", title = "Set time response" }, })
+field({ descriptor = 0x88, name = "tools.choice_response", role = "response", title = "Choice response",
     doc = "", least = 2,
     always = 3,
-    rows = rows("tools.choice_response", {
+    rows = {
       { kind = "scalar", name = "instance", type = "u8", size = 1, doc = "Which one." },
       { kind = "scalar", name = "shape", type = "u8", size = 1, enum = E["tools.shape"], doc = "Which member follows." },
       { kind = "switch", name = "parameters", tag = "shape", doc = "The member.", cases = {
@@ -253,108 +251,108 @@ field(0x01, { descriptor = 0x88, name = "tools.choice_response", role = "respons
       [2] = { label = "path", item = { kind = "struct", name = "path", record = S["tools.path"], doc = "" } },
       [3] = { label = "turn", item = { kind = "array", name = "rotation", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "A rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [4] = { label = "label", item = { kind = "text", name = "label", count = 8, capacity = 8, doc = "A name." } }, } },
-    }) })
-field(0x01, { descriptor = 0x89, name = "tools.list_response", role = "response", title = "List response",
+    } }, { { set = 0x01, name = "tools.choice_response", title = "Choice response" }, })
+field({ descriptor = 0x89, name = "tools.list_response", role = "response", title = "List response",
     doc = "", least = 1,
     always = 2,
-    rows = rows("tools.list_response", {
+    rows = {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of items." },
       { kind = "array", name = "items", counter = "count", capacity = 126, size = 2, doc = "The items.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x01, { descriptor = 0x8A, name = "tools.inventory_response", role = "response", title = "Inventory response",
+    } }, { { set = 0x01, name = "tools.list_response", title = "List response" }, })
+field({ descriptor = 0x8A, name = "tools.inventory_response", role = "response", title = "Inventory response",
     doc = "", least = 0,
     always = 1,
-    rows = rows("tools.inventory_response", {
+    rows = {
       { kind = "array", name = "descriptors", capacity = 126, size = 2, doc = "As many as there are.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
-    }) })
-field(0x01, { descriptor = 0x8B, name = "tools.pin_response", role = "response", title = "Pin response",
+    } }, { { set = 0x01, name = "tools.inventory_response", title = "Inventory response" }, })
+field({ descriptor = 0x8B, name = "tools.pin_response", role = "response", title = "Pin response",
     doc = "", least = 2,
     always = 2,
-    rows = rows("tools.pin_response", {
+    rows = {
       { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What drives it now." },
       { kind = "scalar", name = "use", type = "u8", size = 1, doc = "How it is used. If drive is pulse: values of pulse_use. If drive is serial: values of serial_use.", readings = { {by = "drive", value = 1, enum = E["tools.pulse_use"] }, {by = "drive", value = 2, enum = E["tools.serial_use"] }, } },
-    }) })
-field(0x01, { descriptor = 0x8C, name = "tools.hello_response", role = "response", title = "Hello response",
+    } }, { { set = 0x01, name = "tools.pin_response", title = "Pin response" }, })
+field({ descriptor = 0x8C, name = "tools.hello_response", role = "response", title = "Hello response",
     doc = "", least = 4,
     always = 1,
-    rows = rows("tools.hello_response", {
+    rows = {
       { kind = "scalar", name = "seen", type = "u32", size = 4, units = {"s", }, doc = "When the device was seen. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x8D, name = "tools.readings_response", role = "response", title = "Readings response",
+    } }, { { set = 0x01, name = "tools.hello_response", title = "Hello response" }, })
+field({ descriptor = 0x8D, name = "tools.readings_response", role = "response", title = "Readings response",
     doc = "", least = 7,
     always = 4,
-    rows = rows("tools.readings_response", {
+    rows = {
       { kind = "scalar", name = "drive", type = "u8", size = 1, enum = E["tools.drive"], doc = "What was asked for." },
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of readings." },
       { kind = "array", name = "readings", counter = "count", capacity = 49, size = 5, doc = "The readings. If drive is pulse: kind has values of pulse_use. Seldom 2. If drive is serial: kind has values of serial_use.", readings = { {by = "drive", value = 1, member = "kind", enum = E["tools.pulse_use"] }, {by = "drive", value = 2, member = "kind", enum = E["tools.serial_use"] }, }, item = { kind = "struct", name = "item", record = S["tools.reading"] } },
       { kind = "struct", name = "last", record = S["tools.reading"], doc = "The last one. If drive is pulse: value has unit s; range 0 to 1. If drive is serial: value: Nothing." },
-    }) })
-field(0x01, { descriptor = 0x90, name = "tools.status_short", role = "response", title = "Status response",
+    } }, { { set = 0x01, name = "tools.readings_response", title = "Readings response" }, })
+field({ descriptor = 0x90, name = "tools.status_short", role = "response", title = "Status response",
     doc = "", least = 7,
     always = 3,
     constants = { { at = 0, value = "\18\103" }, { at = 2, value = "\1" }, },
-    rows = rows("tools.status_short", {
+    rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
       { kind = "constant", name = "selector", type = "u8", size = 1, value = "\1", doc = "The short layout." },
       { kind = "scalar", name = "flags", type = "u32", size = 4, doc = "Faults. On the Model A and Model C: values of model_a_faults. On the Model B: values of model_b_faults.", readings = { {device = "model-a", flags = F["tools.model_a_faults"] }, {device = "model-b", flags = F["tools.model_b_faults"] }, {device = "model-c", flags = F["tools.model_a_faults"] }, } },
-    }) })
-field(0x01, { descriptor = 0x90, name = "tools.status_long", role = "response", title = "Status response",
+    } }, { { set = 0x01, name = "tools.status_short", title = "Status response" }, })
+field({ descriptor = 0x90, name = "tools.status_long", role = "response", title = "Status response",
     doc = "", least = 15,
     always = 4,
     constants = { { at = 0, value = "\18\103" }, { at = 2, value = "\2" }, },
-    rows = rows("tools.status_long", {
+    rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
       { kind = "constant", name = "selector", type = "u8", size = 1, value = "\2", doc = "The long layout." },
       { kind = "scalar", name = "flags", type = "u32", size = 4, doc = "Faults. On the Model A: values of model_a_faults. On the Model B: values of model_b_faults. On the Model C: the values are not known.", readings = { {device = "model-a", flags = F["tools.model_a_faults"] }, {device = "model-b", flags = F["tools.model_b_faults"] }, } },
       { kind = "scalar", name = "uptime", type = "u64", size = 8, units = {"s", }, doc = "Since start. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x90, name = "tools.status_old", role = "response", title = "Status response",
+    } }, { { set = 0x01, name = "tools.status_long", title = "Status response" }, })
+field({ descriptor = 0x90, name = "tools.status_old", role = "response", title = "Status response",
     doc = "The long layout of old devices. Its size tells it from the others.", least = 7,
     always = 3,
     constants = { { at = 0, value = "\18\103" }, { at = 2, value = "\2" }, },
-    rows = rows("tools.status_old", {
+    rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
       { kind = "constant", name = "selector", type = "u8", size = 1, value = "\2", doc = "The long layout." },
       { kind = "scalar", name = "uptime", type = "u32", size = 4, units = {"s", }, doc = "Since start. Unit: s." },
-    }) })
-field(0x01, { descriptor = 0x90, name = "tools.status_full", role = "response", title = "Status response",
+    } }, { { set = 0x01, name = "tools.status_old", title = "Status response" }, })
+field({ descriptor = 0x90, name = "tools.status_full", role = "response", title = "Status response",
     doc = "", least = 16,
     always = 5,
     constants = { { at = 0, value = "\18\103" }, { at = 2, value = "\2" }, },
-    rows = rows("tools.status_full", {
+    rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
       { kind = "constant", name = "selector", type = "u8", size = 1, value = "\2", doc = "The long layout." },
       { kind = "struct", name = "place", record = S["point"], doc = "Where it is." },
       { kind = "scalar", name = "uptime", type = "u64", size = 8, units = {"s", }, doc = "Since start. Unit: s." },
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "What it does." },
-    }) })
-field(0x01, { descriptor = 0x9B, name = "tools.bias_vector", role = "response", title = "Bias response",
+    } }, { { set = 0x01, name = "tools.status_full", title = "Status response" }, })
+field({ descriptor = 0x9B, name = "tools.bias_vector", role = "response", title = "Bias response",
     doc = "", least = 12,
     always = 1,
-    rows = rows("tools.bias_vector", {
+    rows = {
       { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Taken off the measurement. Unit: g. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x0C, { descriptor = 0x10, name = "3d.default", role = "command", title = "Default",
+    } }, { { set = 0x01, name = "tools.bias_vector", title = "Bias response" }, })
+field({ descriptor = 0x10, name = "3d.default", role = "command", title = "Default",
     doc = "Its parameters are keywords here and there.", least = 5,
     always = 5,
-    rows = rows("3d.default", {
+    rows = {
       { kind = "scalar", name = "class", type = "u8", size = 1, doc = "A keyword." },
       { kind = "scalar", name = "type", type = "u8", size = 1, doc = "A keyword." },
       { kind = "scalar", name = "register", type = "u8", size = 1, doc = "A keyword." },
       { kind = "scalar", name = "self", type = "u8", size = 1, doc = "A keyword." },
       { kind = "scalar", name = "present", type = "u8", size = 1, doc = "Used by generated code elsewhere." },
-    }) })
-field(0x80, { descriptor = 0x01, name = "measurements.accel", role = "data", title = "Acceleration",
+    } }, { { set = 0x0C, name = "3d.default", title = "Default" }, })
+field({ descriptor = 0x01, name = "measurements.accel", role = "data", title = "Acceleration",
     doc = "A vector whose elements are valid together.", least = 14,
     always = 2,
-    rows = rows("measurements.accel", {
+    rows = {
       { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid. On the Model C: only ready and level." },
-    }) })
-field(0x80, { descriptor = 0x02, name = "measurements.numbers", role = "data", title = "Numbers",
+    } }, { { set = 0x80, name = "measurements.accel", title = "Acceleration" }, { set = 0x81, name = "more.accel", title = "Second acceleration" }, { set = 0x92, name = "copy.accel", title = "Third acceleration" }, })
+field({ descriptor = 0x02, name = "measurements.numbers", role = "data", title = "Numbers",
     doc = "One of each.", least = 44,
     always = 12,
-    rows = rows("measurements.numbers", {
+    rows = {
       { kind = "scalar", name = "u8", type = "u8", size = 1, doc = "Unsigned." },
       { kind = "scalar", name = "u16", type = "u16", size = 2, doc = "Unsigned." },
       { kind = "scalar", name = "u32", type = "u32", size = 4, doc = "Unsigned." },
@@ -367,140 +365,92 @@ field(0x80, { descriptor = 0x02, name = "measurements.numbers", role = "data", t
       { kind = "scalar", name = "double", type = "double", size = 8, doc = "Eight bytes. Unit: 1." },
       { kind = "scalar", name = "bool", type = "bool", size = 1, doc = "True or false." },
       { kind = "scalar", name = "char", type = "char", size = 1, doc = "One character." },
-    }) })
-field(0x80, { descriptor = 0x03, name = "measurements.strings", role = "data", title = "Strings",
+    } }, { { set = 0x80, name = "measurements.numbers", title = "Numbers" }, { set = 0x92, name = "copy.numbers", title = "Numbers" }, })
+field({ descriptor = 0x03, name = "measurements.strings", role = "data", title = "Strings",
     doc = "Fixed, counted, and to the end.", least = 17,
     always = 4,
-    rows = rows("measurements.strings", {
+    rows = {
       { kind = "text", name = "model", count = 16, capacity = 16, doc = "Padded with spaces." },
       { kind = "counter", name = "length", type = "u8", size = 1, doc = "Of the name." },
       { kind = "text", name = "name", counter = "length", capacity = 236, doc = "The name." },
       { kind = "text", name = "rest", capacity = 236, doc = "All that follows." },
-    }) })
-field(0x80, { descriptor = 0x04, name = "measurements.health", role = "data", title = "Health",
+    } }, { { set = 0x80, name = "measurements.strings", title = "Strings" }, { set = 0x81, name = "more.strings", title = "Strings" }, { set = 0x92, name = "copy.strings", title = "Strings" }, })
+field({ descriptor = 0x04, name = "measurements.health", role = "data", title = "Health",
     doc = "The wide bitfield.", least = 20,
     always = 2,
-    rows = rows("measurements.health", {
+    rows = {
       { kind = "bits", name = "result", size = 16, flags = F["health"], doc = "The bits." },
       { kind = "scalar", name = "code", type = "u32", size = 4, enum = E["wide_code"], doc = "An enumeration over four bytes." },
-    }) })
-field(0x80, { descriptor = 0x05, name = "measurements.arrays", role = "data", title = "Arrays",
+    } }, { { set = 0x80, name = "measurements.health", title = "Health" }, { set = 0x92, name = "copy.health", title = "Health" }, })
+field({ descriptor = 0x05, name = "measurements.arrays", role = "data", title = "Arrays",
     doc = "Arrays of all that can stand in one.", least = 53,
     always = 6,
-    rows = rows("measurements.arrays", {
+    rows = {
       { kind = "array", name = "modes", count = 3, capacity = 3, size = 1, doc = "Enumerations.", item = { kind = "scalar", name = "item", type = "u8", size = 1, enum = E["mode"] } },
       { kind = "array", name = "flags", count = 2, capacity = 2, size = 2, doc = "Bitfields.", item = { kind = "scalar", name = "item", type = "u16", size = 2, flags = F["state_flags"] } },
       { kind = "array", name = "vectors", count = 2, capacity = 2, size = 12, units = {"m", }, doc = "Vectors. Unit: m.", item = { kind = "array", name = "item", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       { kind = "array", name = "points", count = 2, capacity = 2, size = 4, units = {"m", }, doc = "Structures. Unit: m.", item = { kind = "struct", name = "item", record = S["point"] } },
       { kind = "struct", name = "track", record = S["segment"], doc = "A nested structure." },
       { kind = "array", name = "offsets", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "s8", size = 1 } },
-    }) })
-field(0x80, { descriptor = 0x06, name = "measurements.growing", role = "data", title = "Growing",
+    } }, { { set = 0x80, name = "measurements.arrays", title = "Arrays" }, { set = 0x92, name = "copy.arrays", title = "Arrays" }, })
+field({ descriptor = 0x06, name = "measurements.growing", role = "data", title = "Growing",
     doc = "Newer devices send more of it.", least = 2,
     always = 1,
-    rows = rows("measurements.growing", {
+    rows = {
       { kind = "scalar", name = "first", type = "u16", size = 2, doc = "Always there." },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "second", type = "u16", size = 2, doc = "From version 2 on." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "third", type = "float", size = 4, units = {"deg", }, doc = "From version 3 on. Unit: deg." }, } },
-    }) })
-field(0x80, { descriptor = 0x07, name = "measurements.radio", role = "data", title = "Radio",
+    } }, { { set = 0x80, name = "measurements.growing", title = "Growing" }, { set = 0x92, name = "copy.growing", title = "Growing" }, })
+field({ descriptor = 0x07, name = "measurements.radio", role = "data", title = "Radio",
     doc = "A bool vouches for values; one source has no layout that agrees with it.", least = 29,
     always = 5,
-    rows = rows("measurements.radio", {
+    rows = {
       { kind = "scalar", name = "connected", type = "bool", size = 1, doc = "Whether there is a connection." },
       { kind = "scalar", name = "strength", type = "s32", size = 4, doc = "Of the signal. Range: less than 1. Valid if connected is true." },
       { kind = "scalar", name = "noise", type = "float", size = 4, units = {"m", }, doc = "Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. On the Model C: valid if connected is true; deprecated." },
       { kind = "scalar", name = "gap", type = "float", size = 4, doc = "Reserved. Reserved." },
       { kind = "array", name = "gaps", count = 2, capacity = 2, size = 8, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-    }) })
-field(0x80, { descriptor = 0x08, name = "measurements.cloud", role = "data", title = "Cloud",
+    } }, { { set = 0x80, name = "measurements.radio", title = "Radio" }, { set = 0x92, name = "copy.radio", title = "Radio" }, })
+field({ descriptor = 0x07, name = "measurements.own", role = "data", title = "Own",
+    doc = "In one of the sets only, with a descriptor that has another layout in the others.", least = 1,
+    always = 1,
+    rows = {
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "Of the second sensor." },
+    } }, { { set = 0x81, name = "more.own", title = "Own" }, })
+field({ descriptor = 0x08, name = "measurements.cloud", role = "data", title = "Cloud",
     doc = "The count can exceed what a field holds beside the value behind the array.", least = 9,
     always = 3,
-    rows = rows("measurements.cloud", {
+    rows = {
       { kind = "counter", name = "num_points", type = "u8", size = 1, doc = "Number of points." },
       { kind = "array", name = "points", counter = "num_points", capacity = 61, size = 4, doc = "The points.", item = { kind = "struct", name = "item", record = S["point"] } },
       { kind = "scalar", name = "stamp", type = "u64", size = 8, units = {"s", }, doc = "Behind an array that fills the field. Unit: s." },
-    }) })
-field(0x80, { descriptor = 0x09, name = "measurements.gust", role = "data", title = "Gust",
+    } }, { { set = 0x80, name = "measurements.cloud", title = "Cloud" }, { set = 0x92, name = "copy.cloud", title = "Cloud" }, })
+field({ descriptor = 0x09, name = "measurements.gust", role = "data", title = "Gust",
     doc = "One valid flag for all values but one; measurements.breeze has the same place.", least = 24,
     always = 6,
-    rows = rows("measurements.gust", {
+    rows = {
       { kind = "scalar", name = "station", type = "u8", size = 1, doc = "Which one." },
       { kind = "struct", name = "place", record = S["point"], doc = "Where it was measured. Valid if valid_flags.ready is set." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Above the plane. Unit: m. Valid if valid_flags.ready is set." },
       { kind = "array", name = "speed", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Of the wind. Unit: m. Range: magnitude at most 40. Valid if valid_flags.ready is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "constant", name = "gap", type = "u8", size = 1, value = "\7", doc = "Always the same." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid." },
-    }) })
-field(0x80, { descriptor = 0x0A, name = "measurements.breeze", role = "data", title = "Breeze",
+    } }, { { set = 0x80, name = "measurements.gust", title = "Gust" }, { set = 0x92, name = "copy.gust", title = "Gust" }, })
+field({ descriptor = 0x0A, name = "measurements.breeze", role = "data", title = "Breeze",
     doc = "Its place is told as in measurements.gust.", least = 24,
     always = 3,
-    rows = rows("measurements.breeze", {
+    rows = {
       { kind = "struct", name = "place", record = S["point"], doc = "Where it was measured." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Above the plane. Unit: m." },
       { kind = "array", name = "turn", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Of the vane. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1, 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-    }) })
-field(0x81, { descriptor = 0x07, name = "more.own", role = "data", title = "Own",
-    doc = "Beside those that it repeats.", least = 1,
-    always = 1,
-    rows = rows("more.own", {
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["mode"], doc = "Of the second sensor." },
-    }) })
-field(0xFF, { descriptor = 0xD3, name = "shared.timestamp", role = "data", title = "Timestamp",
+    } }, { { set = 0x80, name = "measurements.breeze", title = "Breeze" }, { set = 0x92, name = "copy.breeze", title = "Breeze" }, })
+field({ descriptor = 0xD3, name = "shared.timestamp", role = "data", title = "Timestamp",
     doc = "When the packet was sent.", least = 10,
     always = 2,
-    rows = rows("shared.timestamp", {
+    rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "Time of week. Unit: s. Valid if valid_flags.ready is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid." },
-    }) })
-field(0x81, { descriptor = 0x01, name = "more.accel", role = "data", title = "Second acceleration",
-    doc = "A vector whose elements are valid together.", least = 14,
-    always = 2,
-    rows = L["measurements.accel"] })
-field(0x81, { descriptor = 0x03, name = "more.strings", role = "data", title = "Strings",
-    doc = "Fixed, counted, and to the end.", least = 17,
-    always = 4,
-    rows = L["measurements.strings"] })
-field(0x92, { descriptor = 0x01, name = "copy.accel", role = "data", title = "Third acceleration",
-    doc = "A vector whose elements are valid together.", least = 14,
-    always = 2,
-    rows = L["measurements.accel"] })
-field(0x92, { descriptor = 0x02, name = "copy.numbers", role = "data", title = "Numbers",
-    doc = "One of each.", least = 44,
-    always = 12,
-    rows = L["measurements.numbers"] })
-field(0x92, { descriptor = 0x03, name = "copy.strings", role = "data", title = "Strings",
-    doc = "Fixed, counted, and to the end.", least = 17,
-    always = 4,
-    rows = L["measurements.strings"] })
-field(0x92, { descriptor = 0x04, name = "copy.health", role = "data", title = "Health",
-    doc = "The wide bitfield.", least = 20,
-    always = 2,
-    rows = L["measurements.health"] })
-field(0x92, { descriptor = 0x05, name = "copy.arrays", role = "data", title = "Arrays",
-    doc = "Arrays of all that can stand in one.", least = 53,
-    always = 6,
-    rows = L["measurements.arrays"] })
-field(0x92, { descriptor = 0x06, name = "copy.growing", role = "data", title = "Growing",
-    doc = "Newer devices send more of it.", least = 2,
-    always = 1,
-    rows = L["measurements.growing"] })
-field(0x92, { descriptor = 0x07, name = "copy.radio", role = "data", title = "Radio",
-    doc = "A bool vouches for values; one source has no layout that agrees with it.", least = 29,
-    always = 5,
-    rows = L["measurements.radio"] })
-field(0x92, { descriptor = 0x08, name = "copy.cloud", role = "data", title = "Cloud",
-    doc = "The count can exceed what a field holds beside the value behind the array.", least = 9,
-    always = 3,
-    rows = L["measurements.cloud"] })
-field(0x92, { descriptor = 0x09, name = "copy.gust", role = "data", title = "Gust",
-    doc = "One valid flag for all values but one; measurements.breeze has the same place.", least = 24,
-    always = 6,
-    rows = L["measurements.gust"] })
-field(0x92, { descriptor = 0x0A, name = "copy.breeze", role = "data", title = "Breeze",
-    doc = "Its place is told as in measurements.gust.", least = 24,
-    always = 3,
-    rows = L["measurements.breeze"] })
+    } }, { { set = 0xFF, name = "shared.timestamp", title = "Timestamp" }, })
 
 local DEVICES = {
   { id = "model-a", title = "Model A" },
@@ -511,8 +461,8 @@ local DEVICES = {
 -- ---------------------------------------------------------------------------------------------------------- filters
 -- What can be filtered: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
 
-local mip = Proto("mip_protocol", "MIP, MicroStrain Inertial Protocol")
-local stream = Proto("mip_stream", "MIP, chunks of a byte stream")
+local mip = Proto(NAME, TITLE)
+local stream = Proto("mip_stream", TITLE .. ", chunks of a byte stream")
 
 local registered = {}
 
@@ -521,7 +471,7 @@ local function filter(field)
   return field
 end
 
-local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0", "wrong checksum" }
+local REASONS = { [0] = "no header", "incomplete packet", "descriptor set 0 or 255", "wrong checksum" }
 local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
@@ -637,7 +587,8 @@ bind.counter = bind.constant
 
 function bind.bits(row, path)
   local at = inner(path, row.name)
-  return { row = row, filter = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc)), bits = bit_filters(row.flags, at) }
+  local whole = filter(ProtoField.bytes(at, row.name, base.NONE, row.doc))
+  return { row = row, filter = whole, bits = bit_filters(row.flags, at) }
 end
 
 function bind.text(row, path)
@@ -794,7 +745,8 @@ function read.constant(b, reader, record, nodes)
   local row, found = b.row, nodes[#nodes]
   if reader.raw:sub(found.at + 1, found.at + found.size) ~= row.value then
     found.wrong = true
-    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), whole(unsigned(row.value, 0, #row.value))))
+    local right = whole(unsigned(row.value, 0, #row.value))
+    fail("constant", string.format("%s is %s, not %s", row.name, whole(found.value), right))
   end
 end
 
@@ -1087,7 +1039,8 @@ function add.array(made, context)
     return text
   end
   local count = #made.parts
-  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, count == 1 and "element" or "elements"))
+  local noun = count == 1 and "element" or "elements"
+  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, noun))
   local read_as = reading(row.readings, context.record)
   if read_as and read_as.flags then
     bit_lines(read_as.flags, item, range)
@@ -1230,6 +1183,11 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
+-- No packet has set 0 or 0xFF: they stand for the fields of every command set and of every data set.
+local function is_set(number)
+  return number ~= 0 and number ~= SHARED
+end
+
 -- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
@@ -1243,7 +1201,7 @@ local function scan(raw, final, limit)
     end
     at = sync - 1
     local size = packet_size(raw, at)
-    if raw:byte(at + 3) == 0 then
+    if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
       at = at + 1
     elseif not size or at + size > #raw then
       if not final then
@@ -1292,7 +1250,7 @@ local function pieces(raw, at, stop)
     local sync = raw:find(SYNC, at + 1, true)
     if sync and sync - 1 == at and sync < stop then
       local size = packet_size(raw, at)
-      if #raw > at + 2 and raw:byte(at + 3) == 0 then
+      if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
         piece.reason = 2
       elseif not size or at + size > #raw then
         piece.reason = 1
@@ -1319,7 +1277,8 @@ end
 local function show_skipped(piece, data, tree)
   local range = data:range(piece.at, piece.size)
   local item = tree:add(own.skipped, range)
-  item:set_text(string.format("Skipped: %d %s%s", piece.size, piece.size == 1 and "byte" or "bytes", shown_bytes(range:raw())))
+  local noun = piece.size == 1 and "byte" or "bytes"
+  item:set_text(string.format("Skipped: %d %s%s", piece.size, noun, shown_bytes(range:raw())))
   item:add(own.reason, piece.reason):set_generated()
   item:add_proto_expert_info(experts.skipped)
 end
@@ -1342,7 +1301,8 @@ local show = {} -- by role: what is said of a field beside its values; gives its
 
 function show.command(f, packet, item, record, key)
   if packet.good then
-    local exchange = command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
+    local exchange =
+      command_sent(key, packet.conversation, packet.set, f.descriptor, f, record, packet.frame, packet.time)
     show_request(exchange, item)
   end
   local selected = f.required and E["function_selector"][record["function"]]
@@ -1363,7 +1323,8 @@ end
 local function show_acknowledge(packet, item, record, key)
   local title, code = command_title(packet.set, record.command), record.code
   local name = E["ack_code"][code] or whole(code)
-  packet.exchange = packet.good and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
+  packet.exchange = packet.good
+    and answer_came(key, packet.conversation, packet.set, record.command, packet.frame, packet.time)
   if packet.exchange then
     show_answer(packet.exchange, item)
   end
@@ -1580,7 +1541,8 @@ local function dissect_chunk(tvb, pinfo, tree)
     local from = math.max(rest, #head)
     local item = tree:add(stream, data:range(from, #raw - from))
     local size = #raw - from
-    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, size == 1 and "byte" or "bytes"))
+    local noun = size == 1 and "byte" or "bytes"
+    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, noun))
   end
   show_columns(pinfo, #texts > 0 and texts or { rest and "part of a packet" or "no packet" })
   show_sides(pinfo, direction)
@@ -1610,7 +1572,7 @@ local function looks_like(raw)
   if recognized(raw) then
     return true
   end
-  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not SETS[raw:byte(3)] then
+  if #raw < AROUND or raw:sub(1, 2) ~= SYNC or not is_set(raw:byte(3)) or not SETS[raw:byte(3)] then
     return false
   end
   local length, first = raw:byte(4), raw:byte(5)
@@ -1630,16 +1592,20 @@ end
 
 -- ------------------------------------------------------------------------- preferences
 
-preferences.tcp_ports = Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
-preferences.udp_ports = Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
-preferences.user_dlts = Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
+preferences.tcp_ports =
+  Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
+preferences.udp_ports =
+  Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
+preferences.user_dlts =
+  Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
 do
   local devices = { { 1, "any", 0 } }
   for i, device in ipairs(DEVICES) do
     devices[i + 1] = { i + 1, device.title, i }
   end
-  preferences.device = Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
+  preferences.device =
+    Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 
@@ -1718,7 +1684,7 @@ local LONGEST = 255 + AROUND -- bytes of a packet
 local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
-local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"
+local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
 -- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
 local function next_bytes(file)

@@ -87,7 +87,7 @@ impl Session {
     }
 
     fn send(&mut self, step: &Json) -> Result<(), &'static str> {
-        let set = step.get("set").and_then(Json::integer).filter(|set| *set > 0_u8);
+        let set = step.get("set").and_then(Json::integer).filter(|set| (1..=254_u8).contains(set));
         let set = set.ok_or("request")?;
         let fields = step.get("fields").and_then(Json::array).ok_or("request")?;
         if fields.is_empty() {
@@ -241,7 +241,8 @@ fn command(set: u8, field: &Json) -> Result<AnyField, &'static str> {
     let any = AnyField::from_value(name, &values).map_err(value_error)?;
     let info = any.info();
     let descriptor = field.get("descriptor").map(Json::integer::<u8>);
-    let right = info.in_set(set) && descriptor.map_or(true, |d| d == Some(info.descriptor));
+    let right =
+        info.name_in(set) == Some(name) && descriptor.map_or(true, |d| d == Some(info.descriptor));
     if right && info.role == Role::Command {
         Ok(any)
     } else {

@@ -92,16 +92,13 @@ fn decode_field(field: &RawField<'_>) -> Json {
         Some(Err(error)) => {
             object([descriptor, ("error", string(decode_error(*error))), ("raw", hex(field.data))])
         }
-        Some(Ok((any, trailing))) => {
-            let info = any.info();
-            object([
-                descriptor,
-                ("name", string(info.name)),
-                ("role", string(info.role.name())),
-                ("values", from_value(&any.to_value())),
-                ("trailing", Json::Integer(*trailing as i128)),
-            ])
-        }
+        Some(Ok(found)) => object([
+            descriptor,
+            ("name", string(found.name())),
+            ("role", string(found.field.info().role.name())),
+            ("values", from_value(&found.field.to_value())),
+            ("trailing", Json::Integer(found.left_over as i128)),
+        ]),
     }
 }
 
@@ -136,7 +133,8 @@ fn encode(request: &Json) -> Answer {
                     AnyField::from_value(name, &to_value(field.get("values").ok_or("request")?)?)
                         .map_err(value_error)?;
                 let info = any.info();
-                if !info.in_set(set) || descriptor.is_some_and(|d| d != Some(info.descriptor)) {
+                let other = descriptor.is_some_and(|d| d != Some(info.descriptor));
+                if info.name_in(set) != Some(name) || other {
                     return Err("unknown");
                 }
                 let mut data = [0; MAX_FIELD_DATA];

@@ -6,7 +6,6 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/checksum.c
   ${MIP_FOLDER}/src/mip/client.c
   ${MIP_FOLDER}/src/mip/codec.c
-  ${MIP_FOLDER}/src/mip/copy.c
   ${MIP_FOLDER}/src/mip/core.c
   ${MIP_FOLDER}/src/mip/device.c
   ${MIP_FOLDER}/src/mip/double.c
@@ -14,7 +13,6 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/label.c
   ${MIP_FOLDER}/src/mip/lookup.c
   ${MIP_FOLDER}/src/mip/measurements.c
-  ${MIP_FOLDER}/src/mip/more.c
   ${MIP_FOLDER}/src/mip/names.c
   ${MIP_FOLDER}/src/mip/number.c
   ${MIP_FOLDER}/src/mip/outcome.c

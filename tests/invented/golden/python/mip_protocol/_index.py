@@ -12,6 +12,9 @@ SETS: dict[int, tuple[str, ...]] = {
     0xFF: ("shared", "Shared"),
 }
 
+#: Names of sets -> the name that the fields begin with, where several sets have the same fields.
+FAMILIES: dict[str, str] = {"more": "measurements", "copy": "measurements"}
+
 #: Full names of fields -> module, class, role, title, other names.
 FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
     "tools.ping": ("tools", "Ping", "command", "Ping", ()),
@@ -74,22 +77,10 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
     "measurements.arrays": ("measurements", "Arrays", "data", "Arrays", ()),
     "measurements.growing": ("measurements", "Growing", "data", "Growing", ()),
     "measurements.radio": ("measurements", "Radio", "data", "Radio", ("modem", "rf")),
+    "measurements.own": ("measurements", "Own", "data", "Own", ()),
     "measurements.cloud": ("measurements", "Cloud", "data", "Cloud", ()),
     "measurements.gust": ("measurements", "Gust", "data", "Gust", ()),
     "measurements.breeze": ("measurements", "Breeze", "data", "Breeze", ()),
-    "more.accel": ("more", "Accel", "data", "Second acceleration", ()),
-    "more.strings": ("more", "Strings", "data", "Strings", ()),
-    "more.own": ("more", "Own", "data", "Own", ()),
-    "copy.accel": ("copy", "Accel", "data", "Third acceleration", ()),
-    "copy.numbers": ("copy", "Numbers", "data", "Numbers", ()),
-    "copy.strings": ("copy", "Strings", "data", "Strings", ()),
-    "copy.health": ("copy", "Health", "data", "Health", ()),
-    "copy.arrays": ("copy", "Arrays", "data", "Arrays", ()),
-    "copy.growing": ("copy", "Growing", "data", "Growing", ()),
-    "copy.radio": ("copy", "Radio", "data", "Radio", ("modem", "rf")),
-    "copy.cloud": ("copy", "Cloud", "data", "Cloud", ()),
-    "copy.gust": ("copy", "Gust", "data", "Gust", ()),
-    "copy.breeze": ("copy", "Breeze", "data", "Breeze", ()),
     "shared.timestamp": ("shared", "Timestamp", "data", "Timestamp", ()),
     "protocol.acknowledge": ("protocol", "Acknowledge", "response", "Acknowledge", ()),
 }

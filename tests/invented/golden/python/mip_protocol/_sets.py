@@ -7,8 +7,8 @@ MODULES: dict[int, str] = {
     0x01: "tools",
     0x0C: "mip_3d",
     0x80: "measurements",
-    0x81: "more",
-    0x92: "copy",
+    0x81: "measurements",
+    0x92: "measurements",
     0xFF: "shared",
 }
 

@@ -1,6 +1,10 @@
-"""Measurements (0x80).
+"""Measurements (0x80, 0x81, 0x92).
 
 Data of every type; `tools` has what they are set up with.
+
+- measurements (0x80): Data of every type; `tools` has what they are set up with.
+- more (0x81): A second sensor with some fields of the first.
+- copy (0x92): All the fields of another set. Uncertain: Which device sends it.
 """
 
 from __future__ import annotations
@@ -9,26 +13,29 @@ from collections.abc import Sequence
 
 from . import codec, types
 from .errors import Truncated
-from .field import Data, Field
+from .field import Data, Field, Shared
 
 _ACCEL_0 = codec.Block("fffH", *["scaled_accel"] * 3, "valid_flags")
 
 
-class Accel(Data):
-    """Acceleration (0x80,0x01).
+class Accel(Shared, Data):
+    """Acceleration (0x01).
 
     A vector whose elements are valid together.
 
-    Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
+    Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported by
+    Model A, Model B and Model C.
 
     - guide: Acceleration
     - leaflet: Acceleration
+    - guide: Second acceleration
+    - guide: Third acceleration
     """
 
     __slots__ = ("scaled_accel", "valid_flags")
     __match_args__ = ("scaled_accel", "valid_flags")
 
-    SET = 0x80
+    SETS = (0x80, 0x81, 0x92)
     DESCRIPTOR = 0x01
     NAME = "measurements.accel"
     ROLE = "data"
@@ -89,12 +96,13 @@ _NUMBERS_0 = codec.Block(
 )
 
 
-class Numbers(Data):
-    """Numbers (0x80,0x02).
+class Numbers(Shared, Data):
+    """Numbers (0x02).
 
     One of each.
 
-    Supported by Model A and Model C. May be supported by Old 1 and Old 2.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C. May be
+    supported by Old 1 and Old 2.
 
     - guide: Numbers
     """
@@ -128,7 +136,7 @@ class Numbers(Data):
         "char",
     )
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x02
     NAME = "measurements.numbers"
     ROLE = "data"
@@ -239,20 +247,21 @@ class Numbers(Data):
 _STRINGS_0 = codec.Block("B", "length")
 
 
-class Strings(Data):
-    """Strings (0x80,0x03).
+class Strings(Shared, Data):
+    """Strings (0x03).
 
     Fixed, counted, and to the end.
 
-    Supported by Model A and Model C.
+    Occurs in measurements (0x80), more (0x81) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Strings
+    - guide: Second strings
     """
 
     __slots__ = ("model", "name", "rest")
     __match_args__ = ("model", "name", "rest")
 
-    SET = 0x80
+    SETS = (0x80, 0x81, 0x92)
     DESCRIPTOR = 0x03
     NAME = "measurements.strings"
     ROLE = "data"
@@ -299,12 +308,13 @@ class Strings(Data):
 _HEALTH_0 = codec.Block("BBBBBBBBBBBBBBBBI", *["result"] * 16, "code")
 
 
-class Health(Data):
-    """Health (0x80,0x04).
+class Health(Shared, Data):
+    """Health (0x04).
 
     The wide bitfield.
 
-    Deprecated: use `Numbers` instead. Supported by Model A and Model C.
+    Deprecated: use `Numbers` instead. Occurs in measurements (0x80) and copy (0x92). Supported by
+    Model A and Model C.
 
     - guide: Health
     """
@@ -312,7 +322,7 @@ class Health(Data):
     __slots__ = ("result", "code")
     __match_args__ = ("result", "code")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x04
     NAME = "measurements.health"
     ROLE = "data"
@@ -343,12 +353,12 @@ _ARRAYS_0 = codec.Block("BBBHH", *["modes"] * 3, *["flags"] * 2)
 _ARRAYS_1 = codec.Block("bbbb", *["offsets"] * 4)
 
 
-class Arrays(Data):
-    """Arrays (0x80,0x05).
+class Arrays(Shared, Data):
+    """Arrays (0x05).
 
     Arrays of all that can stand in one.
 
-    Supported by Model A and Model C.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Arrays
     """
@@ -356,7 +366,7 @@ class Arrays(Data):
     __slots__ = ("modes", "flags", "vectors", "points", "track", "offsets")
     __match_args__ = ("modes", "flags", "vectors", "points", "track", "offsets")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x05
     NAME = "measurements.arrays"
     ROLE = "data"
@@ -424,12 +434,12 @@ _GROWING_2 = codec.Block("f", "third")
 _GROWING_GROUPS = ((2, ("second",), False), (3, ("third",), False))
 
 
-class Growing(Data):
-    """Growing (0x80,0x06).
+class Growing(Shared, Data):
+    """Growing (0x06).
 
     Newer devices send more of it.
 
-    Supported by Model A and Model C.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Growing
     """
@@ -437,7 +447,7 @@ class Growing(Data):
     __slots__ = ("first", "second", "third")
     __match_args__ = ("first", "second", "third")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x06
     NAME = "measurements.growing"
     ROLE = "data"
@@ -496,13 +506,14 @@ class Growing(Data):
 _RADIO_0 = codec.Block("Biffdd", "connected", "strength", "noise", "gap", *["gaps"] * 2)
 
 
-class Radio(Data):
-    """Radio (0x80,0x07).
+class Radio(Shared, Data):
+    """Radio (0x07).
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Also called `modem` and `rf`. Supported by Model C. Known only from the Kit of names. Uncertain:
-    The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+    Occurs in measurements (0x80) and copy (0x92). Also called `modem` and `rf`. Supported by Model
+    C. Known only from the Kit of names. Uncertain: The leaflet gives the strength two bytes.
+    Uncertain: Inferred: the strength is never positive.
 
     - sheet: Radio
     """
@@ -510,7 +521,7 @@ class Radio(Data):
     __slots__ = ("connected", "strength", "noise", "gap", "gaps")
     __match_args__ = ("connected", "strength", "noise", "gap", "gaps")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x07
     NAME = "measurements.radio"
     ROLE = "data"
@@ -572,16 +583,57 @@ class Radio(Data):
         return codec.finished(out)
 
 
+_OWN_0 = codec.Block("B", "mode")
+
+
+class Own(Data):
+    """Own (0x81,0x07).
+
+    In one of the sets only, with a descriptor that has another layout in the others.
+
+    Supported by Model A and Model C.
+
+    - guide: Own
+    """
+
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
+    SET = 0x81
+    SETS = (0x81,)
+    DESCRIPTOR = 0x07
+    NAME = "measurements.own"
+    ROLE = "data"
+    _LAYOUT = (("mode", "B", types.Mode),)
+
+    mode: types.Mode
+    """Of the second sensor."""
+
+    def __init__(self, mode: types.Mode) -> None:
+        self.mode = mode
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Own, int]:
+        v = _OWN_0.read(raw, at)
+        at += 1
+        mode = types.Mode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _OWN_0.write(self.mode)
+        return codec.finished(out)
+
+
 _CLOUD_0 = codec.Block("B", "num_points")
 _CLOUD_1 = codec.Block("Q", "stamp")
 
 
-class Cloud(Data):
-    """Cloud (0x80,0x08).
+class Cloud(Shared, Data):
+    """Cloud (0x08).
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Supported by Model A and Model C.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Cloud
     """
@@ -589,7 +641,7 @@ class Cloud(Data):
     __slots__ = ("points", "stamp")
     __match_args__ = ("points", "stamp")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x08
     NAME = "measurements.cloud"
     ROLE = "data"
@@ -630,12 +682,12 @@ _GUST_1 = codec.Block("ffffB", "height", *["speed"] * 3, "gap")
 _GUST_2 = codec.Block("H", "valid_flags")
 
 
-class Gust(Data):
-    """Gust (0x80,0x09).
+class Gust(Shared, Data):
+    """Gust (0x09).
 
     One valid flag for all values but one; `Breeze` has the same place.
 
-    Not listed in any device profile.
+    Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
 
     `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
     `tools.Shape`.
@@ -646,7 +698,7 @@ class Gust(Data):
     __slots__ = ("station", "place", "height", "speed", "valid_flags")
     __match_args__ = ("station", "place", "height", "speed", "valid_flags")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x09
     NAME = "measurements.gust"
     ROLE = "data"
@@ -707,12 +759,12 @@ class Gust(Data):
 _BREEZE_0 = codec.Block("fffff", "height", *["turn"] * 4)
 
 
-class Breeze(Data):
-    """Breeze (0x80,0x0A).
+class Breeze(Shared, Data):
+    """Breeze (0x0A).
 
     Its place is told as in `Gust`.
 
-    Supported by Model A and Model C.
+    Occurs in measurements (0x80) and copy (0x92). Supported by Model A and Model C.
 
     - guide: Breeze
     """
@@ -720,7 +772,7 @@ class Breeze(Data):
     __slots__ = ("place", "height", "turn")
     __match_args__ = ("place", "height", "turn")
 
-    SET = 0x80
+    SETS = (0x80, 0x92)
     DESCRIPTOR = 0x0A
     NAME = "measurements.breeze"
     ROLE = "data"
@@ -765,7 +817,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x04: (Health,),
     0x05: (Arrays,),
     0x06: (Growing,),
-    0x07: (Radio,),
+    0x07: (Radio, Own),
     0x08: (Cloud,),
     0x09: (Gust,),
     0x0A: (Breeze,),

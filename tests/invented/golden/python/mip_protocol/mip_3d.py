@@ -25,6 +25,7 @@ class Default(Command[None]):
     __match_args__ = ("class_", "type", "register", "self_", "present")
 
     SET = 0x0C
+    SETS = (0x0C,)
     DESCRIPTOR = 0x10
     NAME = "3d.default"
     ROLE = "command"

@@ -25,6 +25,7 @@ class Timestamp(Shared, Data):
     __match_args__ = ("tow", "valid_flags")
 
     SET = 0xFF
+    SETS = range(0x80, 0xFF)
     DESCRIPTOR = 0xD3
     NAME = "shared.timestamp"
     ROLE = "data"

@@ -254,6 +254,7 @@ class SettingsResponse(Response):
     __match_args__ = ("port", "mode", "baud", "limit", "reserved")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x82
     NAME = "tools.settings_response"
     ROLE = "response"
@@ -320,6 +321,7 @@ class SetTimeFastResponse(Response):
     __match_args__ = ("value",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x83
     NAME = "tools.set_time_fast_response"
     ROLE = "response"
@@ -358,6 +360,7 @@ class SetTimeSlowResponse(Response):
     __match_args__ = ("value",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x84
     NAME = "tools.set_time_slow_response"
     ROLE = "response"
@@ -397,6 +400,7 @@ class ChoiceResponse(Response):
     __match_args__ = ("instance", "shape", "parameters")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x88
     NAME = "tools.choice_response"
     ROLE = "response"
@@ -485,6 +489,7 @@ class ListResponse(Response):
     __match_args__ = ("items",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x89
     NAME = "tools.list_response"
     ROLE = "response"
@@ -524,6 +529,7 @@ class InventoryResponse(Response):
     __match_args__ = ("descriptors",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x8A
     NAME = "tools.inventory_response"
     ROLE = "response"
@@ -563,6 +569,7 @@ class PinResponse(Response):
     __match_args__ = ("drive", "use")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x8B
     NAME = "tools.pin_response"
     ROLE = "response"
@@ -610,6 +617,7 @@ class HelloResponse(Response):
     __match_args__ = ("seen",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x8C
     NAME = "tools.hello_response"
     ROLE = "response"
@@ -648,6 +656,7 @@ class ReadingsResponse(Response):
     __match_args__ = ("drive", "readings", "last")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x8D
     NAME = "tools.readings_response"
     ROLE = "response"
@@ -710,6 +719,7 @@ class StatusShort(Response):
     __match_args__ = ("flags",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
@@ -768,6 +778,7 @@ class StatusLong(Response):
     __match_args__ = ("flags", "uptime")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x90
     NAME = "tools.status_long"
     ROLE = "response"
@@ -837,6 +848,7 @@ class StatusOld(Response):
     __match_args__ = ("uptime",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x90
     NAME = "tools.status_old"
     ROLE = "response"
@@ -891,6 +903,7 @@ class StatusFull(Response):
     __match_args__ = ("place", "uptime", "mode")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x90
     NAME = "tools.status_full"
     ROLE = "response"
@@ -952,6 +965,7 @@ class BiasVector(Response):
     __match_args__ = ("bias",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x9B
     NAME = "tools.bias_vector"
     ROLE = "response"
@@ -990,6 +1004,7 @@ class Ping(Command[None]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x01
     NAME = "tools.ping"
     ROLE = "command"
@@ -1034,6 +1049,7 @@ class Settings(Command[R]):
     __match_args__ = ("function", "port", "mode", "baud", "limit", "reserved")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x02
     NAME = "tools.settings"
     ROLE = "command"
@@ -1219,6 +1235,7 @@ class SetTime(Command[R]):
     __match_args__ = ("function", "part", "value")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x03
     NAME = "tools.set_time"
     ROLE = "command"
@@ -1326,6 +1343,7 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     __match_args__ = ("selector",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x04
     NAME = "tools.status"
     ROLE = "command"
@@ -1391,6 +1409,7 @@ class Bias(Command[R]):
     __match_args__ = ("function", "bias")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x05
     NAME = "tools.bias"
     ROLE = "command"
@@ -1489,6 +1508,7 @@ class CaptureBias(Command[BiasVector]):
     __match_args__ = ("time",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x06
     NAME = "tools.capture_bias"
     ROLE = "command"
@@ -1530,6 +1550,7 @@ class Formats(Command[None]):
     __match_args__ = ("suppress_ack", "checkpoint", "segments")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x07
     NAME = "tools.formats"
     ROLE = "command"
@@ -1538,7 +1559,7 @@ class Formats(Command[None]):
     """Send no acknowledge."""
     # On the wire only: num_segments. Number of segments. The number of elements of `segments`.
     checkpoint: int
-    """Between a counter and its array."""
+    """Between a counter and its array. Deprecated."""
     segments: tuple[types.Segment, ...]
     """The segments."""
 
@@ -1595,6 +1616,7 @@ class Choice(Command[R]):
     __match_args__ = ("function", "instance", "shape", "parameters")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x08
     NAME = "tools.choice"
     ROLE = "command"
@@ -1745,6 +1767,7 @@ class List(Command[R]):
     __match_args__ = ("function", "items")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x09
     NAME = "tools.list"
     ROLE = "command"
@@ -1830,6 +1853,7 @@ class Inventory(Command[InventoryResponse]):
     __slots__ = ()
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x0A
     NAME = "tools.inventory"
     ROLE = "command"
@@ -1863,6 +1887,7 @@ class Pin(Command[R]):
     __match_args__ = ("function", "drive", "use")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x0B
     NAME = "tools.pin"
     ROLE = "command"
@@ -1962,6 +1987,7 @@ class Hello(Command[HelloResponse]):
     __match_args__ = ("reserved", "later")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x0C
     NAME = "tools.hello"
     ROLE = "command"
@@ -2023,6 +2049,7 @@ class Readings(Command[ReadingsResponse]):
     __match_args__ = ("drive",)
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x0D
     NAME = "tools.readings"
     ROLE = "command"
@@ -2064,6 +2091,7 @@ class Poll(Command[None]):
     __match_args__ = ("descriptor_set", "first", "descriptors")
 
     SET = 0x01
+    SETS = (0x01,)
     DESCRIPTOR = 0x0E
     NAME = "tools.poll"
     ROLE = "command"

@@ -39,6 +39,6 @@ impl Acknowledge {
 }
 
 field! {
-    Acknowledge: 0x00, 0xF1, "protocol.acknowledge";
+    Acknowledge: 0xF1, "protocol.acknowledge";
     in [0x01..=0x7F];
 }

@@ -3,15 +3,17 @@
 #include "mip/program.h"
 
 static const uint8_t program_accel[] = {
+    MIP_MORE_SETS(0x81, 0x92),
     MIP_32_BITS(3, MIP_AT(struct mip_measurements_accel, scaled_accel)),
     MIP_16_BITS(1, MIP_AT(struct mip_measurements_accel, valid_flags)),
     MIP_END,
 };
 
 const struct mip_codec mip_measurements_accel_codec = {
-    0x80, 0x01, MIP_DATA, 14, sizeof(struct mip_measurements_accel), program_accel};
+    0x80, 0x01, MIP_DATA, 14, sizeof(struct mip_measurements_accel), 2, program_accel + 2};
 
 static const uint8_t program_numbers[] = {
+    MIP_MORE_SETS(0x92),
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_numbers, u8)),
     MIP_16_BITS(1, MIP_AT(struct mip_measurements_numbers, u16)),
     MIP_32_BITS(1, MIP_AT(struct mip_measurements_numbers, u32)),
@@ -27,9 +29,10 @@ static const uint8_t program_numbers[] = {
 };
 
 const struct mip_codec mip_measurements_numbers_codec = {
-    0x80, 0x02, MIP_DATA, 44, sizeof(struct mip_measurements_numbers), program_numbers};
+    0x80, 0x02, MIP_DATA, 44, sizeof(struct mip_measurements_numbers), 1, program_numbers + 1};
 
 static const uint8_t program_strings[] = {
+    MIP_MORE_SETS(0x81, 0x92),
     MIP_FAR,
     MIP_8_BITS(16, MIP_FAR_AT(struct mip_measurements_strings, model)),
     MIP_8_BITS(1, MIP_FAR_AT(struct mip_measurements_strings, length)),
@@ -42,18 +45,20 @@ static const uint8_t program_strings[] = {
 };
 
 const struct mip_codec mip_measurements_strings_codec = {
-    0x80, 0x03, MIP_DATA, 0, sizeof(struct mip_measurements_strings), program_strings};
+    0x80, 0x03, MIP_DATA, 0, sizeof(struct mip_measurements_strings), 2, program_strings + 2};
 
 static const uint8_t program_health[] = {
+    MIP_MORE_SETS(0x92),
     MIP_8_BITS(16, MIP_AT(struct mip_measurements_health, result)),
     MIP_32_BITS(1, MIP_AT(struct mip_measurements_health, code)),
     MIP_END,
 };
 
 const struct mip_codec mip_measurements_health_codec = {
-    0x80, 0x04, MIP_DATA, 20, sizeof(struct mip_measurements_health), program_health};
+    0x80, 0x04, MIP_DATA, 20, sizeof(struct mip_measurements_health), 1, program_health + 1};
 
 static const uint8_t program_arrays[] = {
+    MIP_MORE_SETS(0x92),
     MIP_FAR,
     MIP_8_BITS(3, MIP_FAR_AT(struct mip_measurements_arrays, modes)),
     MIP_16_BITS(2, MIP_FAR_AT(struct mip_measurements_arrays, flags)),
@@ -69,19 +74,24 @@ static const uint8_t program_arrays[] = {
 };
 
 const struct mip_codec mip_measurements_arrays_codec = {
-    0x80, 0x05, MIP_DATA, 0, sizeof(struct mip_measurements_arrays), program_arrays};
+    0x80, 0x05, MIP_DATA, 0, sizeof(struct mip_measurements_arrays), 1, program_arrays + 1};
 
 static const uint8_t program_growing[] = {
-    MIP_OPTIONAL(1), MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, first)),
-    MIP_GROUP(1),    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, second)),
-    MIP_GROUP(1),    MIP_32_BITS(1, MIP_AT(struct mip_measurements_growing, third)),
+    MIP_MORE_SETS(0x92),
+    MIP_OPTIONAL(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, first)),
+    MIP_GROUP(1),
+    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, second)),
+    MIP_GROUP(1),
+    MIP_32_BITS(1, MIP_AT(struct mip_measurements_growing, third)),
     MIP_END,
 };
 
 const struct mip_codec mip_measurements_growing_codec = {
-    0x80, 0x06, MIP_DATA, 0, sizeof(struct mip_measurements_growing), program_growing};
+    0x80, 0x06, MIP_DATA, 0, sizeof(struct mip_measurements_growing), 1, program_growing + 1};
 
 static const uint8_t program_radio[] = {
+    MIP_MORE_SETS(0x92),
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_radio, connected)),
     MIP_32_BITS(3, MIP_AT(struct mip_measurements_radio, strength)),
     MIP_DOUBLES(2, MIP_AT(struct mip_measurements_radio, gaps)),
@@ -89,9 +99,18 @@ static const uint8_t program_radio[] = {
 };
 
 const struct mip_codec mip_measurements_radio_codec = {
-    0x80, 0x07, MIP_DATA, 29, sizeof(struct mip_measurements_radio), program_radio};
+    0x80, 0x07, MIP_DATA, 29, sizeof(struct mip_measurements_radio), 1, program_radio + 1};
+
+static const uint8_t program_own[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_measurements_own, mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_measurements_own_codec = {
+    0x81, 0x07, MIP_DATA, 1, sizeof(struct mip_measurements_own), 0, program_own};
 
 static const uint8_t program_cloud[] = {
+    MIP_MORE_SETS(0x92),
     MIP_FAR,
     MIP_8_BITS(1, MIP_FAR_AT(struct mip_measurements_cloud, num_points)),
     MIP_COUNTED(MIP_SIZE(struct mip_measurements_cloud, num_points), 61, 4,
@@ -104,9 +123,10 @@ static const uint8_t program_cloud[] = {
 };
 
 const struct mip_codec mip_measurements_cloud_codec = {
-    0x80, 0x08, MIP_DATA, 0, sizeof(struct mip_measurements_cloud), program_cloud};
+    0x80, 0x08, MIP_DATA, 0, sizeof(struct mip_measurements_cloud), 1, program_cloud + 1};
 
 static const uint8_t program_gust[] = {
+    MIP_MORE_SETS(0x92),
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_gust, station)),
     MIP_16_BITS(2, MIP_AT(struct mip_measurements_gust, place.x)),
     MIP_32_BITS(4, MIP_AT(struct mip_measurements_gust, height)),
@@ -116,13 +136,14 @@ static const uint8_t program_gust[] = {
 };
 
 const struct mip_codec mip_measurements_gust_codec = {
-    0x80, 0x09, MIP_DATA, 0, sizeof(struct mip_measurements_gust), program_gust};
+    0x80, 0x09, MIP_DATA, 0, sizeof(struct mip_measurements_gust), 1, program_gust + 1};
 
 static const uint8_t program_breeze[] = {
+    MIP_MORE_SETS(0x92),
     MIP_16_BITS(2, MIP_AT(struct mip_measurements_breeze, place.x)),
     MIP_32_BITS(5, MIP_AT(struct mip_measurements_breeze, height)),
     MIP_END,
 };
 
 const struct mip_codec mip_measurements_breeze_codec = {
-    0x80, 0x0A, MIP_DATA, 24, sizeof(struct mip_measurements_breeze), program_breeze};
+    0x80, 0x0A, MIP_DATA, 24, sizeof(struct mip_measurements_breeze), 1, program_breeze + 1};

@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Measurements (0x80). Data of every type; `tools` has what they are set up with.
+ * Measurements. Data of every type; `tools` has what they are set up with.
  *
  * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
@@ -18,18 +18,28 @@
 extern "C" {
 #endif
 
-/** Descriptor set of these fields. */
+/** Descriptor set: Measurements. Data of every type; `tools` has what they are set up with. */
 #define MIP_MEASUREMENTS_SET 0x80
+/** Descriptor set: More measurements. A second sensor with some fields of the first. */
+#define MIP_MORE_SET 0x81
+/**
+ * Descriptor set: Copied measurements. All the fields of another set. Uncertain: Which device sends
+ * it.
+ */
+#define MIP_COPY_SET 0x92
 
 /**
- * Acceleration: data (0x80,0x01).
+ * Acceleration: data 0x01.
  *
  * A vector whose elements are valid together.
  *
- * Maximum rate: 100 Hz. Supported by Model A, Model B and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET, MIP_MORE_SET and MIP_COPY_SET. Maximum rate: 100 Hz. Supported by
+ * Model A, Model B and Model C.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
+ * - guide: Second acceleration
+ * - guide: Third acceleration
  */
 struct mip_measurements_accel {
     /**
@@ -45,11 +55,11 @@ struct mip_measurements_accel {
     mip_state_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_ACCEL 0x8001
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_ACCEL(descriptor_set) MIP_KEY(descriptor_set, 0x01)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_ACCEL_DESCRIPTOR 0x01
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_ACCEL_NAME "measurements.accel"
 
 /** Its wire format. */
@@ -70,7 +80,10 @@ static inline mip_error mip_measurements_accel_encode(const struct mip_measureme
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurements_accel *value,
                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x01, 14);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error = (set >= 0x80 && set <= 0x81) || set == 0x92
+                                ? mip_field_check(field, set, 0x01, 14)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -88,7 +101,10 @@ static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurem
 static inline mip_error mip_measurements_accel_encode_inline(
     const struct mip_measurements_accel *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x01, 14, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = (set >= 0x80 && set <= 0x81) || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x01, 14, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -100,11 +116,11 @@ static inline mip_error mip_measurements_accel_encode_inline(
 }
 
 /**
- * Numbers: data (0x80,0x02).
+ * Numbers: data 0x02.
  *
  * One of each.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Numbers
  */
@@ -135,11 +151,11 @@ struct mip_measurements_numbers {
     char char_;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_NUMBERS 0x8002
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_NUMBERS(descriptor_set) MIP_KEY(descriptor_set, 0x02)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR 0x02
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_NUMBERS_NAME "measurements.numbers"
 
 /** Its wire format. */
@@ -160,7 +176,9 @@ static inline mip_error mip_measurements_numbers_encode(
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_numbers_decode_inline(
     struct mip_measurements_numbers *value, const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x02, 44);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error =
+        set == 0x80 || set == 0x92 ? mip_field_check(field, set, 0x02, 44) : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -186,7 +204,10 @@ static inline mip_error mip_measurements_numbers_decode_inline(
 static inline mip_error mip_measurements_numbers_encode_inline(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x02, 44, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x80 || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x02, 44, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -206,13 +227,14 @@ static inline mip_error mip_measurements_numbers_encode_inline(
 }
 
 /**
- * Strings: data (0x80,0x03).
+ * Strings: data 0x03.
  *
  * Fixed, counted, and to the end.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET, MIP_MORE_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Strings
+ * - guide: Second strings
  */
 struct mip_measurements_strings {
     /** Padded with spaces. */
@@ -227,11 +249,11 @@ struct mip_measurements_strings {
     char rest[237];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_STRINGS 0x8003
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_STRINGS(descriptor_set) MIP_KEY(descriptor_set, 0x03)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_STRINGS_DESCRIPTOR 0x03
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_STRINGS_NAME "measurements.strings"
 
 /** Its wire format. */
@@ -250,11 +272,12 @@ static inline mip_error mip_measurements_strings_encode(
 }
 
 /**
- * Health: data (0x80,0x04).
+ * Health: data 0x04.
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Supported by Model A and Model C.
+ * Deprecated: use mip_measurements_numbers instead. Occurs in MIP_MEASUREMENTS_SET and
+ * MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Health
  */
@@ -265,11 +288,11 @@ struct mip_measurements_health {
     uint32_t code;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_HEALTH 0x8004
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_HEALTH(descriptor_set) MIP_KEY(descriptor_set, 0x04)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_HEALTH_DESCRIPTOR 0x04
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_HEALTH_NAME "measurements.health"
 
 /** Its wire format. */
@@ -290,7 +313,9 @@ static inline mip_error mip_measurements_health_encode(const struct mip_measurem
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_health_decode_inline(struct mip_measurements_health *value,
                                                               const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x04, 20);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error =
+        set == 0x80 || set == 0x92 ? mip_field_check(field, set, 0x04, 20) : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 20) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -306,7 +331,10 @@ static inline mip_error mip_measurements_health_decode_inline(struct mip_measure
 static inline mip_error mip_measurements_health_encode_inline(
     const struct mip_measurements_health *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x04, 20, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x80 || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x04, 20, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -316,11 +344,11 @@ static inline mip_error mip_measurements_health_encode_inline(
 }
 
 /**
- * Arrays: data (0x80,0x05).
+ * Arrays: data 0x05.
  *
  * Arrays of all that can stand in one.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Arrays
  */
@@ -339,11 +367,11 @@ struct mip_measurements_arrays {
     int8_t offsets[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_ARRAYS 0x8005
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_ARRAYS(descriptor_set) MIP_KEY(descriptor_set, 0x05)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR 0x05
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_ARRAYS_NAME "measurements.arrays"
 
 /** Its wire format. */
@@ -364,7 +392,9 @@ static inline mip_error mip_measurements_arrays_encode(const struct mip_measurem
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measurements_arrays *value,
                                                               const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x05, 53);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error =
+        set == 0x80 || set == 0x92 ? mip_field_check(field, set, 0x05, 53) : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 53) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -398,7 +428,10 @@ static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measure
 static inline mip_error mip_measurements_arrays_encode_inline(
     const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x05, 53, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x80 || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x05, 53, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -426,11 +459,11 @@ static inline mip_error mip_measurements_arrays_encode_inline(
 }
 
 /**
- * Growing: data (0x80,0x06).
+ * Growing: data 0x06.
  *
  * Newer devices send more of it.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Growing
  */
@@ -448,11 +481,11 @@ struct mip_measurements_growing {
     float third;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_GROWING 0x8006
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_GROWING(descriptor_set) MIP_KEY(descriptor_set, 0x06)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_GROWING_NAME "measurements.growing"
 /** The value of `present` if second is the last parameter that is there. */
 #define MIP_MEASUREMENTS_GROWING_WITH_SECOND 2
@@ -475,12 +508,13 @@ static inline mip_error mip_measurements_growing_encode(
 }
 
 /**
- * Radio: data (0x80,0x07).
+ * Radio: data 0x07.
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Also called `modem` and `rf`. Supported by Model C. Known only from the Kit of names. Uncertain:
- * The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Also called `modem` and `rf`. Supported by Model
+ * C. Known only from the Kit of names. Uncertain: The leaflet gives the strength two bytes.
+ * Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Radio
  */
@@ -500,11 +534,11 @@ struct mip_measurements_radio {
     double gaps[2];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_RADIO 0x8007
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_RADIO(descriptor_set) MIP_KEY(descriptor_set, 0x07)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
 
 /** Its wire format. */
@@ -525,7 +559,9 @@ static inline mip_error mip_measurements_radio_encode(const struct mip_measureme
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurements_radio *value,
                                                              const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x07, 29);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error =
+        set == 0x80 || set == 0x92 ? mip_field_check(field, set, 0x07, 29) : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 29) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -546,7 +582,10 @@ static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurem
 static inline mip_error mip_measurements_radio_encode_inline(
     const struct mip_measurements_radio *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x07, 29, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x80 || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x07, 29, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }
@@ -561,11 +600,73 @@ static inline mip_error mip_measurements_radio_encode_inline(
 }
 
 /**
- * Cloud: data (0x80,0x08).
+ * Own: data (0x81,0x07).
+ *
+ * In one of the sets only, with a descriptor that has another layout in the others.
+ *
+ * Supported by Model A and Model C.
+ *
+ * - guide: Own
+ */
+struct mip_measurements_own {
+    /** Of the second sensor. A value of enum mip_mode. */
+    uint8_t mode;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_OWN 0x8107
+/** Its descriptor. */
+#define MIP_MEASUREMENTS_OWN_DESCRIPTOR 0x07
+/** Its name in the specification. */
+#define MIP_MEASUREMENTS_OWN_NAME "more.own"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_own_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_own_decode(struct mip_measurements_own *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_measurements_own_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_own_encode(const struct mip_measurements_own *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_own_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_own_decode_inline(struct mip_measurements_own *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x81, 0x07, 1);
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_own_encode_inline(const struct mip_measurements_own *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x81, 0x07, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
+
+/**
+ * Cloud: data 0x08.
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Cloud
  */
@@ -578,11 +679,11 @@ struct mip_measurements_cloud {
     uint64_t stamp;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_CLOUD 0x8008
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_CLOUD(descriptor_set) MIP_KEY(descriptor_set, 0x08)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
 
 /** Its wire format. */
@@ -601,11 +702,11 @@ static inline mip_error mip_measurements_cloud_encode(const struct mip_measureme
 }
 
 /**
- * Gust: data (0x80,0x09).
+ * Gust: data 0x09.
  *
  * One valid flag for all values but one; mip_measurements_breeze has the same place.
  *
- * Not listed in any device profile.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Not listed in any device profile.
  *
  * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
  * enum mip_tools_shape.
@@ -631,11 +732,11 @@ struct mip_measurements_gust {
     mip_state_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_GUST 0x8009
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_GUST(descriptor_set) MIP_KEY(descriptor_set, 0x09)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
 
 /** Its wire format. */
@@ -654,11 +755,11 @@ static inline mip_error mip_measurements_gust_encode(const struct mip_measuremen
 }
 
 /**
- * Breeze: data (0x80,0x0A).
+ * Breeze: data 0x0A.
  *
  * Its place is told as in mip_measurements_gust.
  *
- * Supported by Model A and Model C.
+ * Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET. Supported by Model A and Model C.
  *
  * - guide: Breeze
  */
@@ -674,11 +775,11 @@ struct mip_measurements_breeze {
     float turn[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_MEASUREMENTS_BREEZE 0x800A
+/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_BREEZE(descriptor_set) MIP_KEY(descriptor_set, 0x0A)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A
-/** Its name in the specification. */
+/** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
 
 /** Its wire format. */
@@ -699,7 +800,9 @@ static inline mip_error mip_measurements_breeze_encode(const struct mip_measurem
 /** The same without the table, for speed: decodes it. */
 static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measurements_breeze *value,
                                                               const struct mip_field *field) {
-    const mip_error error = mip_field_check(field, 0x80, 0x0A, 24);
+    const uint8_t set = field->descriptor_set;
+    const mip_error error =
+        set == 0x80 || set == 0x92 ? mip_field_check(field, set, 0x0A, 24) : MIP_ERROR_SET;
     if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -719,7 +822,10 @@ static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measure
 static inline mip_error mip_measurements_breeze_encode_inline(
     const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     uint8_t *data;
-    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0A, 24, &data);
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x80 || set == 0x92
+                                ? mip_builder_reserve(builder, set, 0x0A, 24, &data)
+                                : MIP_ERROR_SET;
     if (error != MIP_OK) {
         return error;
     }

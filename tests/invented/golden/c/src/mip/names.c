@@ -4,8 +4,6 @@
 #include "mip/tools.h"
 #include "mip/3d.h"
 #include "mip/measurements.h"
-#include "mip/more.h"
-#include "mip/copy.h"
 #include "mip/shared.h"
 
 static const char name_function_selector[] = "function_selector";

@@ -9,8 +9,6 @@
 #include "mip/tools.h"
 #include "mip/3d.h"
 #include "mip/measurements.h"
-#include "mip/more.h"
-#include "mip/copy.h"
 #include "mip/shared.h"
 
 /* A member's place and the bytes of one item of it. */
@@ -699,6 +697,16 @@ static const struct mip_record record_measurements_radio = {
     sizeof(struct mip_measurements_radio),
 };
 
+static const struct mip_parameter parameters_measurements_own[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_own, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_own = {
+    parameters_measurements_own,
+    1,
+    sizeof(struct mip_measurements_own),
+};
+
 static const struct mip_parameter parameters_measurements_cloud[] = {
     {"num_points", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
      ONE(struct mip_measurements_cloud, num_points), 0, NULL, NULL, NULL, NULL, 0},
@@ -746,16 +754,6 @@ static const struct mip_record record_measurements_breeze = {
     parameters_measurements_breeze,
     3,
     sizeof(struct mip_measurements_breeze),
-};
-
-static const struct mip_parameter parameters_more_own[] = {
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_more_own, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_more_own = {
-    parameters_more_own,
-    1,
-    sizeof(struct mip_more_own),
 };
 
 static const struct mip_parameter parameters_shared_timestamp[] = {
@@ -820,23 +818,10 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_measurements_growing_codec, &record_measurements_growing, false, true, NULL, 0,
      offsetof(struct mip_measurements_growing, present)},
     {&mip_measurements_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
+    {&mip_measurements_own_codec, &record_measurements_own, false, false, NULL, 0, 0},
     {&mip_measurements_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
     {&mip_measurements_gust_codec, &record_measurements_gust, false, false, NULL, 0, 0},
     {&mip_measurements_breeze_codec, &record_measurements_breeze, false, false, NULL, 0, 0},
-    {&mip_more_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
-    {&mip_more_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
-    {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
-    {&mip_copy_acc_codec, &record_measurements_accel, false, false, NULL, 0, 0},
-    {&mip_copy_numbers_codec, &record_measurements_numbers, false, false, NULL, 0, 0},
-    {&mip_copy_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
-    {&mip_copy_health_codec, &record_measurements_health, false, false, NULL, 0, 0},
-    {&mip_copy_arrays_codec, &record_measurements_arrays, false, false, NULL, 0, 0},
-    {&mip_copy_growing_codec, &record_measurements_growing, false, true, NULL, 0,
-     offsetof(struct mip_copy_growing, present)},
-    {&mip_copy_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
-    {&mip_copy_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
-    {&mip_copy_gust_codec, &record_measurements_gust, false, false, NULL, 0, 0},
-    {&mip_copy_breeze_codec, &record_measurements_breeze, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
 };
 const size_t mip_reflection_count = sizeof(mip_reflections) / sizeof(mip_reflections[0]);

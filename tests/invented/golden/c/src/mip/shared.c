@@ -9,4 +9,4 @@ static const uint8_t program_timestamp[] = {
 };
 
 const struct mip_codec mip_shared_timestamp_codec = {
-    0xFF, 0xD3, MIP_DATA, 10, sizeof(struct mip_shared_timestamp), program_timestamp};
+    0xFF, 0xD3, MIP_DATA, 10, sizeof(struct mip_shared_timestamp), 0, program_timestamp};

@@ -8,7 +8,7 @@ static const uint8_t program_ping[] = {
 };
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), program_ping};
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), 0, program_ping};
 
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, NULL, NULL, 0};
 
@@ -28,7 +28,7 @@ static const uint8_t program_settings[] = {
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_tools_settings), program_settings};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_tools_settings), 0, program_settings};
 
 static bool silent_settings(const void *value) {
     const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
@@ -62,6 +62,7 @@ const struct mip_codec mip_tools_settings_response_codec = {
     MIP_RESPONSE,
     9,
     sizeof(struct mip_tools_settings_response),
+    0,
     program_settings_response};
 
 static const uint8_t program_set_time[] = {
@@ -74,7 +75,7 @@ static const uint8_t program_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_tools_set_time), program_set_time};
+    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_tools_set_time), 0, program_set_time};
 
 static bool silent_set_time(const void *value) {
     const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
@@ -111,6 +112,7 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_tools_set_time_fast_response),
+    0,
     program_set_time_fast_response};
 
 static const uint8_t program_set_time_slow_response[] = {
@@ -124,6 +126,7 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     MIP_RESPONSE,
     4,
     sizeof(struct mip_tools_set_time_slow_response),
+    0,
     program_set_time_slow_response};
 
 static const uint8_t program_status[] = {
@@ -133,7 +136,7 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01, 0x04, MIP_COMMAND, 0, sizeof(struct mip_tools_status), program_status};
+    0x01, 0x04, MIP_COMMAND, 0, sizeof(struct mip_tools_status), 0, program_status};
 
 static bool asked_status_1(const void *value) {
     const struct mip_tools_status *v = (const struct mip_tools_status *)value;
@@ -165,7 +168,7 @@ static const uint8_t program_status_short[] = {
 };
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_short), program_status_short};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_short), 0, program_status_short};
 
 static const uint8_t program_status_long[] = {
     MIP_LAYOUT(15, 15, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -177,7 +180,7 @@ static const uint8_t program_status_long[] = {
 };
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_long), program_status_long};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_long), 0, program_status_long};
 
 static const uint8_t program_status_old[] = {
     MIP_LAYOUT(0, 14, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -188,7 +191,7 @@ static const uint8_t program_status_old[] = {
 };
 
 const struct mip_codec mip_tools_status_old_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_old), program_status_old};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_old), 0, program_status_old};
 
 static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -201,7 +204,7 @@ static const uint8_t program_full[] = {
 };
 
 const struct mip_codec mip_tools_full_codec = {
-    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), program_full};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), 0, program_full};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(1, 1),
@@ -211,7 +214,7 @@ static const uint8_t program_bias[] = {
 };
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), program_bias};
+    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), 0, program_bias};
 
 static bool asked_bias_1(const void *value) {
     const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
@@ -231,7 +234,7 @@ static const uint8_t program_bias_vector[] = {
 };
 
 const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01, 0x9B, MIP_RESPONSE, 12, sizeof(struct mip_tools_bias_vector), program_bias_vector};
+    0x01, 0x9B, MIP_RESPONSE, 12, sizeof(struct mip_tools_bias_vector), 0, program_bias_vector};
 
 static const uint8_t program_capture_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_tools_capture_bias, time)),
@@ -239,7 +242,7 @@ static const uint8_t program_capture_bias[] = {
 };
 
 const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01, 0x06, MIP_COMMAND, 2, sizeof(struct mip_tools_capture_bias), program_capture_bias};
+    0x01, 0x06, MIP_COMMAND, 2, sizeof(struct mip_tools_capture_bias), 0, program_capture_bias};
 
 static const struct mip_response responses_capture_bias[] = {
     {&mip_tools_bias_vector_codec, NULL},
@@ -262,7 +265,7 @@ static const uint8_t program_formats[] = {
 };
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01, 0x07, MIP_COMMAND, 0, sizeof(struct mip_tools_formats), program_formats};
+    0x01, 0x07, MIP_COMMAND, 0, sizeof(struct mip_tools_formats), 0, program_formats};
 
 static bool silent_formats(const void *value) {
     const struct mip_tools_formats *v = (const struct mip_tools_formats *)value;
@@ -310,7 +313,7 @@ static const uint8_t program_choice[] = {
 };
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01, 0x08, MIP_COMMAND, 0, sizeof(struct mip_tools_choice), program_choice};
+    0x01, 0x08, MIP_COMMAND, 0, sizeof(struct mip_tools_choice), 0, program_choice};
 
 static bool asked_choice_1(const void *value) {
     const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
@@ -360,8 +363,13 @@ static const uint8_t program_choice_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_choice_response_codec = {
-    0x01, 0x88, MIP_RESPONSE, 0, sizeof(struct mip_tools_choice_response), program_choice_response};
+const struct mip_codec mip_tools_choice_response_codec = {0x01,
+                                                          0x88,
+                                                          MIP_RESPONSE,
+                                                          0,
+                                                          sizeof(struct mip_tools_choice_response),
+                                                          0,
+                                                          program_choice_response};
 
 static const uint8_t program_list[] = {
     MIP_REQUIRED(1, 2),
@@ -374,7 +382,7 @@ static const uint8_t program_list[] = {
 };
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), program_list};
+    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), 0, program_list};
 
 static bool asked_list_1(const void *value) {
     const struct mip_tools_list *v = (const struct mip_tools_list *)value;
@@ -397,14 +405,14 @@ static const uint8_t program_list_response[] = {
 };
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01, 0x89, MIP_RESPONSE, 0, sizeof(struct mip_tools_list_response), program_list_response};
+    0x01, 0x89, MIP_RESPONSE, 0, sizeof(struct mip_tools_list_response), 0, program_list_response};
 
 static const uint8_t program_stock[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_tools_stock_codec = {
-    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), program_stock};
+    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), 0, program_stock};
 
 static const struct mip_response responses_stock[] = {
     {&mip_tools_stock_response_codec, NULL},
@@ -420,8 +428,13 @@ static const uint8_t program_stock_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_stock_response_codec = {
-    0x01, 0x8A, MIP_RESPONSE, 0, sizeof(struct mip_tools_stock_response), program_stock_response};
+const struct mip_codec mip_tools_stock_response_codec = {0x01,
+                                                         0x8A,
+                                                         MIP_RESPONSE,
+                                                         0,
+                                                         sizeof(struct mip_tools_stock_response),
+                                                         0,
+                                                         program_stock_response};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(2, 2, 1),
@@ -433,7 +446,7 @@ static const uint8_t program_pin[] = {
 };
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), program_pin};
+    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), 0, program_pin};
 
 static bool asked_pin_1(const void *value) {
     const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
@@ -453,7 +466,7 @@ static const uint8_t program_pin_response[] = {
 };
 
 const struct mip_codec mip_tools_pin_response_codec = {
-    0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), program_pin_response};
+    0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), 0, program_pin_response};
 
 static const uint8_t program_hello[] = {
     MIP_OPTIONAL(1), MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
@@ -462,7 +475,7 @@ static const uint8_t program_hello[] = {
 };
 
 const struct mip_codec mip_tools_hello_codec = {
-    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), program_hello};
+    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), 0, program_hello};
 
 static const struct mip_response responses_hello[] = {
     {&mip_tools_hello_response_codec, NULL},
@@ -477,8 +490,13 @@ static const uint8_t program_hello_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_hello_response_codec = {
-    0x01, 0x8C, MIP_RESPONSE, 4, sizeof(struct mip_tools_hello_response), program_hello_response};
+const struct mip_codec mip_tools_hello_response_codec = {0x01,
+                                                         0x8C,
+                                                         MIP_RESPONSE,
+                                                         4,
+                                                         sizeof(struct mip_tools_hello_response),
+                                                         0,
+                                                         program_hello_response};
 
 static const uint8_t program_readings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_readings, drive)),
@@ -486,7 +504,7 @@ static const uint8_t program_readings[] = {
 };
 
 const struct mip_codec mip_tools_readings_codec = {
-    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), program_readings};
+    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), 0, program_readings};
 
 static const struct mip_response responses_readings[] = {
     {&mip_tools_readings_response_codec, NULL},
@@ -517,6 +535,7 @@ const struct mip_codec mip_tools_readings_response_codec = {
     MIP_RESPONSE,
     0,
     sizeof(struct mip_tools_readings_response),
+    0,
     program_readings_response};
 
 static const uint8_t program_poll[] = {
@@ -528,6 +547,6 @@ static const uint8_t program_poll[] = {
 };
 
 const struct mip_codec mip_tools_poll_codec = {
-    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), program_poll};
+    0x01, 0x0E, MIP_COMMAND, 0, sizeof(struct mip_tools_poll), 0, program_poll};
 
 const struct mip_command mip_tools_poll_command = {&mip_tools_poll_codec, NULL, NULL, 0};

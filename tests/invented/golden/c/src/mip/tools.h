@@ -1094,7 +1094,7 @@ struct mip_tools_formats {
     mip_bool suppress_ack;
     /** Number of segments. The number of elements of segments. */
     uint8_t num_segments;
-    /** Between a counter and its array. */
+    /** Between a counter and its array. Deprecated. */
     uint8_t checkpoint;
     /** The segments. */
     struct mip_segment segments[25];
@@ -1126,7 +1126,7 @@ static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats 
  *
  * - suppress_ack: Send no acknowledge.
  * - num_segments: Number of segments. The number of elements of segments.
- * - checkpoint: Between a counter and its array.
+ * - checkpoint: Between a counter and its array. Deprecated.
  * - segments: The segments.
  */
 static inline struct mip_tools_formats *mip_tools_formats_make(
@@ -1848,7 +1848,7 @@ static inline mip_error mip_tools_readings_response_encode(
 struct mip_tools_poll {
     /** Data descriptor set. Range: 0x80 to 0xFE. */
     uint8_t descriptor_set;
-    /** Field descriptor. Refers to fields of Measurements. Default: 0x01. */
+    /** Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01. */
     uint8_t first;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t count;
@@ -1881,7 +1881,7 @@ static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value
  * Poll. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- * - first: Field descriptor. Refers to fields of Measurements. Default: 0x01.
+ * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
  * - count: Number of fields. The number of elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */

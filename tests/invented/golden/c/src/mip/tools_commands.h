@@ -487,7 +487,7 @@ static inline mip_error mip_send_tools_formats(struct mip_client *client,
  *
  * - suppress_ack: Send no acknowledge.
  * - num_segments: Number of segments. The number of elements of segments.
- * - checkpoint: Between a counter and its array.
+ * - checkpoint: Between a counter and its array. Deprecated.
  * - segments: The segments.
  */
 static inline struct mip_result mip_call_tools_formats(struct mip_device *device,
@@ -775,7 +775,7 @@ static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mi
  * Poll. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
- * - first: Field descriptor. Refers to fields of Measurements. Default: 0x01.
+ * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
  * - count: Number of fields. The number of elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */

@@ -4,15 +4,15 @@ use super::*;
 
 registry! {
     #[cfg(feature = "tools")]
-    0x01..=0x01 {
+    0x01 => {
         /// Ping (0x01,0x01).
         ToolsPing(crate::tools::Ping):
-            Command 0x01, 0x01, of 1,
+            Command 0x01, of 1,
             "tools.ping", "Ping",
             [], {};
         /// Settings (0x01,0x02).
         ToolsSettings(crate::tools::Settings):
-            Command 0x01, 0x02, of 1,
+            Command 0x02, of 1,
             "tools.settings", "Settings",
             ["tools.settings_response"], {
                 "function";
@@ -24,7 +24,7 @@ registry! {
             };
         /// Set time (0x01,0x03).
         ToolsSetTime(crate::tools::SetTime):
-            Command 0x01, 0x03, of 1,
+            Command 0x03, of 1,
             "tools.set_time", "Set time",
             ["tools.set_time_fast_response", "tools.set_time_slow_response"], {
                 "function";
@@ -33,14 +33,14 @@ registry! {
             };
         /// Status (0x01,0x04).
         ToolsStatus(crate::tools::Status):
-            Command 0x01, 0x04, of 1,
+            Command 0x04, of 1,
             "tools.status", "Status",
             ["tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"], {
                 "selector";
             };
         /// Bias (0x01,0x05).
         ToolsBias(crate::tools::Bias):
-            Command 0x01, 0x05, of 1,
+            Command 0x05, of 1,
             "tools.bias", "Bias",
             ["tools.bias_vector"], {
                 "function";
@@ -48,14 +48,14 @@ registry! {
             };
         /// Capture bias (0x01,0x06).
         ToolsCaptureBias(crate::tools::CaptureBias):
-            Command 0x01, 0x06, of 1,
+            Command 0x06, of 1,
             "tools.capture_bias", "Capture bias",
             ["tools.bias_vector"], {
                 "time" in ["s"];
             };
         /// Formats (0x01,0x07).
         ToolsFormats(crate::tools::Formats):
-            Command 0x01, 0x07, of 1,
+            Command 0x07, of 1,
             "tools.formats", "Formats",
             [], {
                 "suppress_ack";
@@ -74,7 +74,7 @@ registry! {
             };
         /// Choice (0x01,0x08).
         ToolsChoice(crate::tools::Choice):
-            Command 0x01, 0x08, of 1,
+            Command 0x08, of 1,
             "tools.choice", "Choice",
             ["tools.choice_response"], {
                 "function";
@@ -108,7 +108,7 @@ registry! {
             };
         /// List (0x01,0x09).
         ToolsList(crate::tools::List):
-            Command 0x01, 0x09, of 1,
+            Command 0x09, of 1,
             "tools.list", "List",
             ["tools.list_response"], {
                 "function";
@@ -116,12 +116,12 @@ registry! {
             };
         /// Inventory (0x01,0x0A).
         ToolsInventory(crate::tools::Inventory):
-            Command 0x01, 0x0A, of 1,
+            Command 0x0A, of 1,
             "tools.inventory", "Inventory",
             ["tools.inventory_response"], {};
         /// Pin (0x01,0x0B).
         ToolsPin(crate::tools::Pin):
-            Command 0x01, 0x0B, of 1,
+            Command 0x0B, of 1,
             "tools.pin", "Pin",
             ["tools.pin_response"], {
                 "function";
@@ -130,7 +130,7 @@ registry! {
             };
         /// Hello (0x01,0x0C).
         ToolsHello(crate::tools::Hello):
-            Command 0x01, 0x0C, of 1,
+            Command 0x0C, of 1,
             "tools.hello", "Hello",
             ["tools.hello_response"], {
                 "reserved";
@@ -138,14 +138,14 @@ registry! {
             };
         /// Readings (0x01,0x0D).
         ToolsReadings(crate::tools::Readings):
-            Command 0x01, 0x0D, of 1,
+            Command 0x0D, of 1,
             "tools.readings", "Readings",
             ["tools.readings_response"], {
                 "drive";
             };
         /// Poll (0x01,0x0E).
         ToolsPoll(crate::tools::Poll):
-            Command 0x01, 0x0E, of 1,
+            Command 0x0E, of 1,
             "tools.poll", "Poll",
             [], {
                 "descriptor_set";
@@ -154,7 +154,7 @@ registry! {
             };
         /// Settings response (0x01,0x82).
         ToolsSettingsResponse(crate::tools::SettingsResponse):
-            Response 0x01, 0x82, of 1,
+            Response 0x82, of 1,
             "tools.settings_response", "Settings response",
             ["tools.settings"], {
                 "port";
@@ -165,21 +165,21 @@ registry! {
             };
         /// Set time response (0x01,0x83).
         ToolsSetTimeFastResponse(crate::tools::SetTimeFastResponse):
-            Response 0x01, 0x83, of 1,
+            Response 0x83, of 1,
             "tools.set_time_fast_response", "Set time response",
             ["tools.set_time"], {
                 "value" in ["s"];
             };
         /// Set time response (0x01,0x84).
         ToolsSetTimeSlowResponse(crate::tools::SetTimeSlowResponse):
-            Response 0x01, 0x84, of 1,
+            Response 0x84, of 1,
             "tools.set_time_slow_response", "Set time response",
             ["tools.set_time"], {
                 "value" in ["s"];
             };
         /// Choice response (0x01,0x88).
         ToolsChoiceResponse(crate::tools::ChoiceResponse):
-            Response 0x01, 0x88, of 1,
+            Response 0x88, of 1,
             "tools.choice_response", "Choice response",
             ["tools.choice"], {
                 "instance";
@@ -212,21 +212,21 @@ registry! {
             };
         /// List response (0x01,0x89).
         ToolsListResponse(crate::tools::ListResponse):
-            Response 0x01, 0x89, of 1,
+            Response 0x89, of 1,
             "tools.list_response", "List response",
             ["tools.list"], {
                 "items";
             };
         /// Inventory response (0x01,0x8A).
         ToolsInventoryResponse(crate::tools::InventoryResponse):
-            Response 0x01, 0x8A, of 1,
+            Response 0x8A, of 1,
             "tools.inventory_response", "Inventory response",
             ["tools.inventory"], {
                 "descriptors";
             };
         /// Pin response (0x01,0x8B).
         ToolsPinResponse(crate::tools::PinResponse):
-            Response 0x01, 0x8B, of 1,
+            Response 0x8B, of 1,
             "tools.pin_response", "Pin response",
             ["tools.pin"], {
                 "drive";
@@ -234,14 +234,14 @@ registry! {
             };
         /// Hello response (0x01,0x8C).
         ToolsHelloResponse(crate::tools::HelloResponse):
-            Response 0x01, 0x8C, of 1,
+            Response 0x8C, of 1,
             "tools.hello_response", "Hello response",
             ["tools.hello"], {
                 "seen" in ["s"];
             };
         /// Readings response (0x01,0x8D).
         ToolsReadingsResponse(crate::tools::ReadingsResponse):
-            Response 0x01, 0x8D, of 1,
+            Response 0x8D, of 1,
             "tools.readings_response", "Readings response",
             ["tools.readings"], {
                 "drive";
@@ -256,14 +256,14 @@ registry! {
             };
         /// Status response (0x01,0x90).
         ToolsStatusShort(crate::tools::StatusShort):
-            Response 0x01, 0x90, of 4,
+            Response 0x90, of 4,
             "tools.status_short", "Status response",
             ["tools.status"], {
                 "flags";
             };
         /// Status response (0x01,0x90).
         ToolsStatusLong(crate::tools::StatusLong):
-            Response 0x01, 0x90, of 4,
+            Response 0x90, of 4,
             "tools.status_long", "Status response",
             ["tools.status"], {
                 "flags";
@@ -271,14 +271,14 @@ registry! {
             };
         /// Status response (0x01,0x90).
         ToolsStatusOld(crate::tools::StatusOld):
-            Response 0x01, 0x90, of 4,
+            Response 0x90, of 4,
             "tools.status_old", "Status response",
             ["tools.status"], {
                 "uptime" in ["s"];
             };
         /// Status response (0x01,0x90).
         ToolsStatusFull(crate::tools::StatusFull):
-            Response 0x01, 0x90, of 4,
+            Response 0x90, of 4,
             "tools.status_full", "Status response",
             ["tools.status"], {
                 "place" {
@@ -290,17 +290,17 @@ registry! {
             };
         /// Bias response (0x01,0x9B).
         ToolsBiasVector(crate::tools::BiasVector):
-            Response 0x01, 0x9B, of 1,
+            Response 0x9B, of 1,
             "tools.bias_vector", "Bias response",
             ["tools.bias", "tools.capture_bias"], {
                 "bias": ["x" "y" "z"] in ["g"] of "sensor";
             };
     }
     #[cfg(feature = "mip_3d")]
-    0x0C..=0x0C {
+    0x0C => {
         /// Default (0x0C,0x10).
         Mip3dDefault(crate::mip_3d::Default):
-            Command 0x0C, 0x10, of 1,
+            Command 0x10, of 1,
             "3d.default", "Default",
             [], {
                 "class";
@@ -311,19 +311,28 @@ registry! {
             };
     }
     #[cfg(feature = "measurements")]
-    0x80..=0x80 {
-        /// Acceleration (0x80,0x01).
+    0x80 | 0x81 | 0x92 => {
+        /// Acceleration (0x01).
         MeasurementsAccel(crate::measurements::Accel):
-            Data 0x80, 0x01, of 1,
+            Data 0x01, of 1,
             "measurements.accel", "Acceleration",
+            {
+                0x80 "measurements.accel",
+                0x81 "more.accel" "Second acceleration",
+                0x92 "copy.accel" "Third acceleration",
+            }
             [], {
                 "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
                 "valid_flags";
             };
-        /// Numbers (0x80,0x02).
+        /// Numbers (0x02).
         MeasurementsNumbers(crate::measurements::Numbers):
-            Data 0x80, 0x02, of 1,
+            Data 0x02 in 0x80 | 0x92, of 1,
             "measurements.numbers", "Numbers",
+            {
+                0x80 "measurements.numbers",
+                0x92 "copy.numbers",
+            }
             [], {
                 "u8";
                 "u16";
@@ -338,27 +347,40 @@ registry! {
                 "bool";
                 "char";
             };
-        /// Strings (0x80,0x03).
+        /// Strings (0x03).
         MeasurementsStrings(crate::measurements::Strings):
-            Data 0x80, 0x03, of 1,
+            Data 0x03, of 1,
             "measurements.strings", "Strings",
+            {
+                0x80 "measurements.strings",
+                0x81 "more.strings",
+                0x92 "copy.strings",
+            }
             [], {
                 "model";
                 "name";
                 "rest";
             };
-        /// Health (0x80,0x04).
+        /// Health (0x04).
         MeasurementsHealth(crate::measurements::Health):
-            Data 0x80, 0x04, of 1,
+            Data 0x04 in 0x80 | 0x92, of 1,
             "measurements.health", "Health",
+            {
+                0x80 "measurements.health",
+                0x92 "copy.health",
+            }
             [], {
                 "result";
                 "code";
             };
-        /// Arrays (0x80,0x05).
+        /// Arrays (0x05).
         MeasurementsArrays(crate::measurements::Arrays):
-            Data 0x80, 0x05, of 1,
+            Data 0x05 in 0x80 | 0x92, of 1,
             "measurements.arrays", "Arrays",
+            {
+                0x80 "measurements.arrays",
+                0x92 "copy.arrays",
+            }
             [], {
                 "modes";
                 "flags";
@@ -380,19 +402,27 @@ registry! {
                 };
                 "offsets";
             };
-        /// Growing (0x80,0x06).
+        /// Growing (0x06).
         MeasurementsGrowing(crate::measurements::Growing):
-            Data 0x80, 0x06, of 1,
+            Data 0x06 in 0x80 | 0x92, of 1,
             "measurements.growing", "Growing",
+            {
+                0x80 "measurements.growing",
+                0x92 "copy.growing",
+            }
             [], {
                 "first";
                 "second";
                 "third" in ["deg"];
             };
-        /// Radio (0x80,0x07).
+        /// Radio (0x07).
         MeasurementsRadio(crate::measurements::Radio):
-            Data 0x80, 0x07, of 1,
+            Data 0x07 in 0x80 | 0x92, of 1,
             "measurements.radio", "Radio",
+            {
+                0x80 "measurements.radio",
+                0x92 "copy.radio",
+            }
             [], {
                 "connected";
                 "strength";
@@ -400,165 +430,24 @@ registry! {
                 "gap";
                 "gaps";
             };
-        /// Cloud (0x80,0x08).
-        MeasurementsCloud(crate::measurements::Cloud):
-            Data 0x80, 0x08, of 1,
-            "measurements.cloud", "Cloud",
-            [], {
-                "points" {
-                    "x" in ["m"];
-                    "y" in ["m"];
-                };
-                "stamp" in ["s"];
-            };
-        /// Gust (0x80,0x09).
-        MeasurementsGust(crate::measurements::Gust):
-            Data 0x80, 0x09, of 1,
-            "measurements.gust", "Gust",
-            [], {
-                "station";
-                "place" {
-                    "x" in ["m"];
-                    "y" in ["m"];
-                };
-                "height" in ["m"];
-                "speed": ["x" "y" "z"] in ["m"];
-                "valid_flags";
-            };
-        /// Breeze (0x80,0x0A).
-        MeasurementsBreeze(crate::measurements::Breeze):
-            Data 0x80, 0x0A, of 1,
-            "measurements.breeze", "Breeze",
-            [], {
-                "place" {
-                    "x" in ["m"];
-                    "y" in ["m"];
-                };
-                "height" in ["m"];
-                "turn": ["w" "x" "y" "z"] in ["1"];
-            };
-    }
-    #[cfg(feature = "more")]
-    0x81..=0x81 {
-        /// Second acceleration (0x81,0x01).
-        MoreAccel(crate::more::Accel):
-            Data 0x81, 0x01, of 1,
-            "more.accel", "Second acceleration",
-            [], {
-                "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
-                "valid_flags";
-            };
-        /// Strings (0x81,0x03).
-        MoreStrings(crate::more::Strings):
-            Data 0x81, 0x03, of 1,
-            "more.strings", "Strings",
-            [], {
-                "model";
-                "name";
-                "rest";
-            };
         /// Own (0x81,0x07).
-        MoreOwn(crate::more::Own):
-            Data 0x81, 0x07, of 1,
-            "more.own", "Own",
+        MeasurementsOwn(crate::measurements::Own):
+            Data 0x07 in 0x81, of 1,
+            "measurements.own", "Own",
+            {
+                0x81 "more.own",
+            }
             [], {
                 "mode";
             };
-    }
-    #[cfg(feature = "copy")]
-    0x92..=0x92 {
-        /// Third acceleration (0x92,0x01).
-        CopyAccel(crate::copy::Accel):
-            Data 0x92, 0x01, of 1,
-            "copy.accel", "Third acceleration",
-            [], {
-                "scaled_accel": ["x" "y" "z"] in ["g"] of "sensor";
-                "valid_flags";
-            };
-        /// Numbers (0x92,0x02).
-        CopyNumbers(crate::copy::Numbers):
-            Data 0x92, 0x02, of 1,
-            "copy.numbers", "Numbers",
-            [], {
-                "u8";
-                "u16";
-                "u32";
-                "u64";
-                "s8";
-                "s16";
-                "s32";
-                "s64";
-                "float" in ["1"];
-                "double" in ["1"];
-                "bool";
-                "char";
-            };
-        /// Strings (0x92,0x03).
-        CopyStrings(crate::copy::Strings):
-            Data 0x92, 0x03, of 1,
-            "copy.strings", "Strings",
-            [], {
-                "model";
-                "name";
-                "rest";
-            };
-        /// Health (0x92,0x04).
-        CopyHealth(crate::copy::Health):
-            Data 0x92, 0x04, of 1,
-            "copy.health", "Health",
-            [], {
-                "result";
-                "code";
-            };
-        /// Arrays (0x92,0x05).
-        CopyArrays(crate::copy::Arrays):
-            Data 0x92, 0x05, of 1,
-            "copy.arrays", "Arrays",
-            [], {
-                "modes";
-                "flags";
-                "vectors": ["x" "y" "z"] in ["m"];
-                "points" in ["m"] {
-                    "x" in ["m"];
-                    "y" in ["m"];
-                };
-                "track" {
-                    "from" {
-                        "x" in ["m"];
-                        "y" in ["m"];
-                    };
-                    "to" {
-                        "x" in ["m"];
-                        "y" in ["m"];
-                    };
-                    "weights";
-                };
-                "offsets";
-            };
-        /// Growing (0x92,0x06).
-        CopyGrowing(crate::copy::Growing):
-            Data 0x92, 0x06, of 1,
-            "copy.growing", "Growing",
-            [], {
-                "first";
-                "second";
-                "third" in ["deg"];
-            };
-        /// Radio (0x92,0x07).
-        CopyRadio(crate::copy::Radio):
-            Data 0x92, 0x07, of 1,
-            "copy.radio", "Radio",
-            [], {
-                "connected";
-                "strength";
-                "noise" in ["m"];
-                "gap";
-                "gaps";
-            };
-        /// Cloud (0x92,0x08).
-        CopyCloud(crate::copy::Cloud):
-            Data 0x92, 0x08, of 1,
-            "copy.cloud", "Cloud",
+        /// Cloud (0x08).
+        MeasurementsCloud(crate::measurements::Cloud):
+            Data 0x08 in 0x80 | 0x92, of 1,
+            "measurements.cloud", "Cloud",
+            {
+                0x80 "measurements.cloud",
+                0x92 "copy.cloud",
+            }
             [], {
                 "points" {
                     "x" in ["m"];
@@ -566,10 +455,14 @@ registry! {
                 };
                 "stamp" in ["s"];
             };
-        /// Gust (0x92,0x09).
-        CopyGust(crate::copy::Gust):
-            Data 0x92, 0x09, of 1,
-            "copy.gust", "Gust",
+        /// Gust (0x09).
+        MeasurementsGust(crate::measurements::Gust):
+            Data 0x09 in 0x80 | 0x92, of 1,
+            "measurements.gust", "Gust",
+            {
+                0x80 "measurements.gust",
+                0x92 "copy.gust",
+            }
             [], {
                 "station";
                 "place" {
@@ -580,10 +473,14 @@ registry! {
                 "speed": ["x" "y" "z"] in ["m"];
                 "valid_flags";
             };
-        /// Breeze (0x92,0x0A).
-        CopyBreeze(crate::copy::Breeze):
-            Data 0x92, 0x0A, of 1,
-            "copy.breeze", "Breeze",
+        /// Breeze (0x0A).
+        MeasurementsBreeze(crate::measurements::Breeze):
+            Data 0x0A in 0x80 | 0x92, of 1,
+            "measurements.breeze", "Breeze",
+            {
+                0x80 "measurements.breeze",
+                0x92 "copy.breeze",
+            }
             [], {
                 "place" {
                     "x" in ["m"];
@@ -594,10 +491,10 @@ registry! {
             };
     }
     #[cfg(feature = "shared")]
-    0x80..=0xFF {
+    0x80..=0xFE => {
         /// Timestamp (0xFF,0xD3).
         SharedTimestamp(crate::shared::Timestamp):
-            Data 0xFF, 0xD3, of 1,
+            Data 0xD3, of 1,
             "shared.timestamp", "Timestamp",
             [], {
                 "tow" in ["s"];
@@ -605,10 +502,10 @@ registry! {
             };
     }
     #[cfg(all())]
-    0x01..=0x7F {
+    0x01..=0x7F => {
         /// Acknowledge (0x00,0xF1).
         ProtocolAcknowledge(crate::protocol::Acknowledge):
-            Response 0x00, 0xF1, of 1,
+            Response 0xF1, of 1,
             "protocol.acknowledge", "Acknowledge",
             [], {
                 "command";

@@ -1,20 +1,30 @@
-//! Measurements (0x80): Data of every type; `tools` has what they are set up with.
+//! Measurements (0x80, 0x81, 0x92): Data of every type; `tools` has what they are set up with.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
-/// The number of the descriptor set.
-pub const SET: u8 = 0x80;
+/// Measurements (0x80): Data of every type; `tools` has what they are set up with.
+pub const MEASUREMENTS: u8 = 0x80;
+
+/// More measurements (0x81): A second sensor with some fields of the first.
+pub const MORE: u8 = 0x81;
+
+/// Copied measurements (0x92): All the fields of another set.
+///
+/// Uncertain: Which device sends it.
+pub const COPY: u8 = 0x92;
 
 record! {
-    /// Acceleration (0x80,0x01).
+    /// Acceleration (0x01).
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Maximum rate: 100 Hz. Supported by [Model A](crate::devices::MODEL_A), [Model
-    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Maximum rate: 100 Hz. Supported
+    /// by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// Source: guide: Acceleration; leaflet: Acceleration.
+    /// Source: guide: Acceleration; leaflet: Acceleration; guide: Second acceleration; guide: Third
+    /// acceleration.
     #[derive(Copy, Default)]
     pub struct Accel {
         /// Specific force.
@@ -38,16 +48,18 @@ record! {
 }
 
 field! {
-    Accel: 0x80, 0x01, "measurements.accel";
+    Accel: 0x01, "measurements.accel";
+    in [0x80 0x81 0x92];
 }
 
 record! {
-    /// Numbers (0x80,0x02).
+    /// Numbers (0x02).
     ///
     /// One of each.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). May
-    /// be supported by [Old 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
+    /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). May be supported by [Old
+    /// 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Numbers.
     #[derive(Copy, Default)]
@@ -84,20 +96,22 @@ record! {
 }
 
 field! {
-    Numbers: 0x80, 0x02, "measurements.numbers";
+    Numbers: 0x02, "measurements.numbers";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Strings (0x80,0x03).
+    /// Strings (0x03).
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `length`: Of the name. The number of elements of
     /// [`name`](Strings::name).
     ///
-    /// Source: guide: Strings.
+    /// Source: guide: Strings; guide: Second strings.
     #[derive(Default, Eq, Hash)]
     pub struct Strings {
         /// Padded with spaces.
@@ -116,16 +130,17 @@ record! {
 }
 
 field! {
-    Strings: 0x80, 0x03, "measurements.strings";
+    Strings: 0x03, "measurements.strings";
+    in [0x80 0x81 0x92];
 }
 
 record! {
-    /// Health (0x80,0x04).
+    /// Health (0x04).
     ///
     /// The wide bitfield.
     ///
-    /// Deprecated: use [`Numbers`] instead. Supported by [Model A](crate::devices::MODEL_A) and
-    /// [Model C](crate::devices::MODEL_C).
+    /// Deprecated: use [`Numbers`] instead. Occurs in measurements (0x80) and copy (0x92).
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Health.
     #[derive(Copy, Default, Eq, Hash)]
@@ -139,15 +154,17 @@ record! {
 }
 
 field! {
-    Health: 0x80, 0x04, "measurements.health";
+    Health: 0x04, "measurements.health";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Arrays (0x80,0x05).
+    /// Arrays (0x05).
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Arrays.
     #[derive(Copy, Default)]
@@ -172,15 +189,17 @@ record! {
 }
 
 field! {
-    Arrays: 0x80, 0x05, "measurements.arrays";
+    Arrays: 0x05, "measurements.arrays";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Growing (0x80,0x06).
+    /// Growing (0x06).
     ///
     /// Newer devices send more of it.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Growing.
     #[derive(Copy, Default)]
@@ -204,17 +223,18 @@ record! {
 }
 
 field! {
-    Growing: 0x80, 0x06, "measurements.growing";
+    Growing: 0x06, "measurements.growing";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Radio (0x80,0x07).
+    /// Radio (0x07).
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Supported by [Model C](crate::devices::MODEL_C). Known only
-    /// from the Kit of names. Uncertain: The leaflet gives the strength two bytes. Uncertain:
-    /// Inferred: the strength is never positive.
+    /// Occurs in measurements (0x80) and copy (0x92). Also called `modem` and `rf`. Supported by
+    /// [Model C](crate::devices::MODEL_C). Known only from the Kit of names. Uncertain: The leaflet
+    /// gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
     ///
     /// Source: sheet: Radio.
     #[derive(Copy, Default)]
@@ -242,15 +262,37 @@ record! {
 }
 
 field! {
-    Radio: 0x80, 0x07, "measurements.radio";
+    Radio: 0x07, "measurements.radio";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Cloud (0x80,0x08).
+    /// Own (0x81,0x07).
+    ///
+    /// In one of the sets only, with a descriptor that has another layout in the others.
+    ///
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    ///
+    /// Source: guide: Own.
+    #[derive(Copy, Default, Eq, Hash)]
+    pub struct Own {
+        /// Of the second sensor.
+        pub mode: types::Mode,
+    }
+}
+
+field! {
+    Own: 0x07, "measurements.own";
+    in [0x81];
+}
+
+record! {
+    /// Cloud (0x08).
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `num_points`: Number of points. The number of elements of
     /// [`points`](Cloud::points).
@@ -273,15 +315,16 @@ record! {
 }
 
 field! {
-    Cloud: 0x80, 0x08, "measurements.cloud";
+    Cloud: 0x08, "measurements.cloud";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Gust (0x80,0x09).
+    /// Gust (0x09).
     ///
     /// One valid flag for all values but one; [`Breeze`] has the same place.
     ///
-    /// Not listed in any device profile.
+    /// Occurs in measurements (0x80) and copy (0x92). Not listed in any device profile.
     ///
     /// The wire format also contains `gap`: Always the same. Always 7.
     ///
@@ -320,15 +363,17 @@ record! {
 }
 
 field! {
-    Gust: 0x80, 0x09, "measurements.gust";
+    Gust: 0x09, "measurements.gust";
+    in [0x80 0x92];
 }
 
 record! {
-    /// Breeze (0x80,0x0A).
+    /// Breeze (0x0A).
     ///
     /// Its place is told as in [`Gust`].
     ///
-    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Breeze.
     #[derive(Copy, Default)]
@@ -348,5 +393,6 @@ record! {
 }
 
 field! {
-    Breeze: 0x80, 0x0A, "measurements.breeze";
+    Breeze: 0x0A, "measurements.breeze";
+    in [0x80 0x92];
 }

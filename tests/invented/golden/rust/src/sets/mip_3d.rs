@@ -1,6 +1,6 @@
 //! Awkward names (0x0C): Names that are keywords or begin with a digit.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -54,7 +54,8 @@ constructors! {
 }
 
 field! {
-    Default: 0x0C, 0x10, "3d.default";
+    Default: 0x10, "3d.default";
+    in [0x0C];
 }
 
 command! {

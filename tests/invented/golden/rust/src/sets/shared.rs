@@ -1,10 +1,7 @@
 //! Shared (0xFF): Valid in every data set.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
-
-/// The number of the descriptor set.
-pub const SET: u8 = 0xFF;
 
 record! {
     /// Timestamp (0xFF,0xD3).
@@ -26,6 +23,6 @@ record! {
 }
 
 field! {
-    Timestamp: 0xFF, 0xD3, "shared.timestamp";
-    in [0x80..=0xFF];
+    Timestamp: 0xD3, "shared.timestamp";
+    in [0x80..=0xFE];
 }

@@ -1,6 +1,6 @@
 //! Tools (0x01): Commands of every shape.
 
-#[allow(unused_imports)] // some sets name a type in comments only, or none
+#[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
 
 /// The number of the descriptor set.
@@ -238,7 +238,8 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "tools.ping";
+    Ping: 0x01, "tools.ping";
+    in [0x01];
 }
 
 command! {
@@ -336,7 +337,8 @@ setters! {
 }
 
 field! {
-    Settings: 0x01, 0x02, "tools.settings";
+    Settings: 0x02, "tools.settings";
+    in [0x01];
 }
 
 command! {
@@ -391,7 +393,8 @@ constructors! {
 }
 
 field! {
-    SetTime: 0x01, 0x03, "tools.set_time";
+    SetTime: 0x03, "tools.set_time";
+    in [0x01];
 }
 
 command! {
@@ -448,7 +451,8 @@ constructors! {
 }
 
 field! {
-    Status: 0x01, 0x04, "tools.status";
+    Status: 0x04, "tools.status";
+    in [0x01];
     constants [0: 18 103];
 }
 
@@ -525,7 +529,8 @@ constructors! {
 }
 
 field! {
-    Bias: 0x01, 0x05, "tools.bias";
+    Bias: 0x05, "tools.bias";
+    in [0x01];
 }
 
 command! {
@@ -560,7 +565,8 @@ constructors! {
 }
 
 field! {
-    CaptureBias: 0x01, 0x06, "tools.capture_bias";
+    CaptureBias: 0x06, "tools.capture_bias";
+    in [0x01];
 }
 
 command! {
@@ -585,6 +591,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Between a counter and its array.
+        ///
+        /// Deprecated.
         pub checkpoint: u8,
         /// The segments.
         pub segments: crate::List<types::Segment, 25>,
@@ -609,7 +617,8 @@ constructors! {
 }
 
 field! {
-    Formats: 0x01, 0x07, "tools.formats";
+    Formats: 0x07, "tools.formats";
+    in [0x01];
 }
 
 command! {
@@ -693,7 +702,8 @@ constructors! {
 }
 
 field! {
-    Choice: 0x01, 0x08, "tools.choice";
+    Choice: 0x08, "tools.choice";
+    in [0x01];
 }
 
 command! {
@@ -746,7 +756,8 @@ constructors! {
 }
 
 field! {
-    List: 0x01, 0x09, "tools.list";
+    List: 0x09, "tools.list";
+    in [0x01];
 }
 
 command! {
@@ -775,7 +786,8 @@ constructors! {
 }
 
 field! {
-    Inventory: 0x01, 0x0A, "tools.inventory";
+    Inventory: 0x0A, "tools.inventory";
+    in [0x01];
 }
 
 command! {
@@ -848,7 +860,8 @@ impl Pin {
 }
 
 field! {
-    Pin: 0x01, 0x0B, "tools.pin";
+    Pin: 0x0B, "tools.pin";
+    in [0x01];
 }
 
 command! {
@@ -902,7 +915,8 @@ setters! {
 }
 
 field! {
-    Hello: 0x01, 0x0C, "tools.hello";
+    Hello: 0x0C, "tools.hello";
+    in [0x01];
 }
 
 command! {
@@ -934,7 +948,8 @@ constructors! {
 }
 
 field! {
-    Readings: 0x01, 0x0D, "tools.readings";
+    Readings: 0x0D, "tools.readings";
+    in [0x01];
 }
 
 command! {
@@ -988,7 +1003,8 @@ constructors! {
 }
 
 field! {
-    Poll: 0x01, 0x0E, "tools.poll";
+    Poll: 0x0E, "tools.poll";
+    in [0x01];
 }
 
 command! {
@@ -1040,7 +1056,8 @@ impl core::default::Default for SettingsResponse {
 }
 
 field! {
-    SettingsResponse: 0x01, 0x82, "tools.settings_response";
+    SettingsResponse: 0x82, "tools.settings_response";
+    in [0x01];
     answers Settings;
 }
 
@@ -1061,7 +1078,8 @@ record! {
 }
 
 field! {
-    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response";
+    SetTimeFastResponse: 0x83, "tools.set_time_fast_response";
+    in [0x01];
     answers SetTime;
 }
 
@@ -1082,7 +1100,8 @@ record! {
 }
 
 field! {
-    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response";
+    SetTimeSlowResponse: 0x84, "tools.set_time_slow_response";
+    in [0x01];
     answers SetTime;
 }
 
@@ -1111,7 +1130,8 @@ record! {
 }
 
 field! {
-    ChoiceResponse: 0x01, 0x88, "tools.choice_response";
+    ChoiceResponse: 0x88, "tools.choice_response";
+    in [0x01];
     answers Choice;
 }
 
@@ -1137,7 +1157,8 @@ record! {
 }
 
 field! {
-    ListResponse: 0x01, 0x89, "tools.list_response";
+    ListResponse: 0x89, "tools.list_response";
+    in [0x01];
     answers List;
 }
 
@@ -1156,7 +1177,8 @@ record! {
 }
 
 field! {
-    InventoryResponse: 0x01, 0x8A, "tools.inventory_response";
+    InventoryResponse: 0x8A, "tools.inventory_response";
+    in [0x01];
     answers Inventory;
 }
 
@@ -1208,7 +1230,8 @@ impl PinResponse {
 }
 
 field! {
-    PinResponse: 0x01, 0x8B, "tools.pin_response";
+    PinResponse: 0x8B, "tools.pin_response";
+    in [0x01];
     answers Pin;
 }
 
@@ -1230,7 +1253,8 @@ record! {
 }
 
 field! {
-    HelloResponse: 0x01, 0x8C, "tools.hello_response";
+    HelloResponse: 0x8C, "tools.hello_response";
+    in [0x01];
     answers Hello;
 }
 
@@ -1270,7 +1294,8 @@ record! {
 }
 
 field! {
-    ReadingsResponse: 0x01, 0x8D, "tools.readings_response";
+    ReadingsResponse: 0x8D, "tools.readings_response";
+    in [0x01];
     answers Readings;
 }
 
@@ -1325,7 +1350,8 @@ impl StatusShort {
 }
 
 field! {
-    StatusShort: 0x01, 0x90, "tools.status_short";
+    StatusShort: 0x90, "tools.status_short";
+    in [0x01];
     constants [0: 18 103] [2: 1];
     answers Status;
 }
@@ -1385,7 +1411,8 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long";
+    StatusLong: 0x90, "tools.status_long";
+    in [0x01];
     constants [0: 18 103] [2: 2];
     sizes 15..=15;
     answers Status;
@@ -1420,7 +1447,8 @@ record! {
 }
 
 field! {
-    StatusOld: 0x01, 0x90, "tools.status_old";
+    StatusOld: 0x90, "tools.status_old";
+    in [0x01];
     constants [0: 18 103] [2: 2];
     sizes 0..=14;
     answers Status;
@@ -1459,7 +1487,8 @@ record! {
 }
 
 field! {
-    StatusFull: 0x01, 0x90, "tools.status_full";
+    StatusFull: 0x90, "tools.status_full";
+    in [0x01];
     constants [0: 18 103] [2: 2];
     sizes 16..=usize::MAX;
     answers Status;
@@ -1482,6 +1511,7 @@ record! {
 }
 
 field! {
-    BiasVector: 0x01, 0x9B, "tools.bias_vector";
+    BiasVector: 0x9B, "tools.bias_vector";
+    in [0x01];
     answers Bias CaptureBias;
 }

@@ -1,0 +1,1 @@
+"""What manuals and other sources contain that the specification does not."""

@@ -1,0 +1,96 @@
+"""Compares the devices of the specification with what another source knows of them.
+
+Like the facts of `audit_sdk` they are no part of the project. They are two files in one folder: `models.yaml` has the
+models by name and number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that
+is not there is not compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from mipgen import model as m
+from mipgen.read.nodes import Node, read
+from mipgen.read.problems import Problems
+
+from .manuals import Finding
+
+MODELS, DEVICES = "models.yaml", "devices.yaml"
+
+#: How sure the source is of a field: read in a manual, or in its contents or concluded from it.
+CERTAIN, PERHAPS = ("seen",), ("contents", "inferred")
+
+
+def audit(model: m.Model, folder: Path) -> list[Finding]:
+    """All differences. Raises SpecError where a file cannot be read."""
+    problems = Problems()
+    found: list[Finding] = []
+    for name, compare in ((MODELS, _models), (DEVICES, _devices)):
+        root = read(folder / name, name, problems) if (folder / name).is_file() else None
+        found += compare(model, root) if root is not None else ()
+    problems.raise_if_any()
+    return sorted(set(found))
+
+
+def _finding(place: m.Position, message: str) -> Finding:
+    return Finding(place.file, place.line, message)
+
+
+def _by_number(model: m.Model, number: int) -> m.Device | None:
+    return next((d for d in model.devices if d.model_number == number), None)
+
+
+def _models(model: m.Model, root: Node) -> Iterator[Finding]:
+    """Each model is a device, under all its names."""
+    for node in root["models"]:
+        number = node["number"]
+        device = _by_number(model, number.value)
+        if device is None:
+            yield _finding(number.position, f"no device has the model number {number.value}")
+            continue
+        for key in ("name", "also"):
+            if key in node and node[key].value not in (device.title, *device.also):
+                yield _finding(node[key].position, f"{device.id} is not called '{node[key].value}'")
+        if node["generation"].value != device.generation:
+            yield _finding(node["generation"].position, f"{device.id} is of the generation {device.generation}")
+
+
+def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
+    for name, node in root["devices"].items():
+        for number in _numbers(node["model_number"]):
+            device = _by_number(model, number)
+            if device is None:
+                yield _finding(root["devices"].keys[name], f"no device has the model number {number}")
+                continue
+            for kind in ("commands", "data"):
+                for key, lists in node[kind].items() if kind in node else ():
+                    yield from _support(model, device, int(key, 16), lists)
+            yield from _rates(device, node)
+
+
+def _numbers(node: Node) -> list[int]:
+    """One model number, or those of several devices."""
+    entries = [node["value"]] if "value" in node else node.value.values()
+    return [entry.value for entry in entries if isinstance(entry.value, int)]
+
+
+def _support(model: m.Model, device: m.Device, number: int, lists: Node) -> Iterator[Finding]:
+    """What is certain must be so here; what is not must be there at least. Fields without a layout are left out."""
+    certain = {(s.set, s.field.descriptor) for s in device.certain}
+    listed = {(s.set, s.field.descriptor) for s in device.supports}
+    for words, known in ((CERTAIN, certain), (PERHAPS, listed)):
+        for entry in (entry for word in words for entry in lists.get(word) or ()):
+            key = (number, entry.value)
+            if key not in known and model.candidates(*key):
+                where = f"(0x{number:02X},0x{entry.value:02X})"
+                doubt = " for certain" if words == CERTAIN and key in listed else ""
+                yield _finding(entry.position, f"{device.id} does not support {where}{doubt}")
+
+
+def _rates(device: m.Device, node: Node) -> Iterator[Finding]:
+    ours = {r.set.number: r.hertz for r in device.base_rates}
+    for key, entry in node["base_rates"].items() if "base_rates" in node else ():
+        rate = entry.get("value") or entry
+        if key.startswith("0x") and ours.get(int(key, 16)) != rate.value:
+            yield _finding(rate.position, f"{device.id} has the base rate {ours.get(int(key, 16))} of the set {key}")

@@ -1,0 +1,26 @@
+"""A key of the program itself: what was made by another one is made again."""
+
+from __future__ import annotations
+
+import os
+import sys
+from functools import cache as once
+
+from . import cache, resources
+
+
+@once
+def program() -> str:
+    """A key of everything except the input: this program, its templates and schemas, Python, the libraries."""
+    parts: list[bytes | str] = [sys.version, *_libraries()]
+    root = resources.root()
+    for folder in (resources.package(), root / "templates", root / "runtime", root / "spec/schema"):
+        for path, file in resources.files(folder):
+            parts += [path, file.read_bytes()]
+    return cache.key(*parts, (root / "LICENSE").read_bytes())
+
+
+def _libraries() -> list[str]:
+    """Names and versions of installed packages: the names of folders, because reading their contents is slow."""
+    places = [entry for entry in sys.path if os.path.isdir(entry)]
+    return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))

@@ -1,0 +1,37 @@
+"""The files that come with the program: templates, schemas, the licence, a specification to start from."""
+
+from __future__ import annotations
+
+import functools
+import importlib.resources
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+MANIFEST = ".manifest"  # the list of the files in a folder of output
+
+
+@functools.cache
+def root() -> Traversable:
+    """The folder that holds `templates/`, `spec/schema/` and `LICENSE`.
+
+    A wheel has them in `mipgen/data`. In a checkout they are at the top, where people look for them.
+    """
+    installed = package() / "data"
+    return installed if installed.is_dir() else Path(__file__).parents[3]
+
+
+def package() -> Traversable:
+    return importlib.resources.files("mipgen")
+
+
+def files(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
+    """All files below a folder with their paths, in order, without hidden files and Python's caches."""
+    for entry in sorted(folder.iterdir(), key=lambda e: e.name):
+        if entry.is_file():
+            yield under + entry.name, entry
+        elif entry.name != "__pycache__" and not entry.name.startswith("."):
+            yield from files(entry, f"{under}{entry.name}/")

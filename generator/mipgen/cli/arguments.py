@@ -1,0 +1,222 @@
+"""The command line. The commands are in `commands`, which imports what they need when they run."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Generator
+from pathlib import Path
+from typing import Any
+
+from mipgen import __version__
+from mipgen.base.errors import Failure
+
+EXAMPLES = """\
+examples:
+  mipgen new spec                           write a small specification to start from
+  mipgen validate                           check it
+  mipgen generate                           ./spec -> ./generated, all targets
+  mipgen generate --target c --target rust  these two only
+  mipgen generate --device 3dm-gx5-15       what one device supports
+  mipgen generate --spec spec --spec mine   with fields of your own laid over it
+  mipgen generate --plugin ./csv.js         with a program of your own as a further target
+  mipgen check                              is ./generated up to date?
+
+'mipgen COMMAND --help' says more about a command. Results that are slow to compute are cached in
+~/.cache/mipgen; MIPGEN_CACHE names another folder, or turns the cache off if it is empty.
+"""
+DIFF = """\
+verdicts:
+  same        nothing that a program could notice                             exit status 0
+  compatible  something added, or another description, range or default       3
+  source      renamed or removed: programs must be changed to build again     4
+  wire        the same bytes mean something else, or other bytes are sent     5
+"""
+COMPLETION = """\
+  bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
+  zsh:   mipgen completion zsh > a folder of $fpath, as _mipgen
+  fish:  mipgen completion fish > ~/.config/fish/completions/mipgen.fish
+"""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    known = parser()
+    options = known.parse_args(arguments)
+    if options.run is None:
+        known.print_help()
+        return 0
+    try:
+        from . import commands
+
+        return int(getattr(commands, options.run)(options))
+    except Failure as failure:
+        print(failure, file=sys.stderr)
+        count = len(getattr(failure, "problems", ()))
+        if count:
+            print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("mipgen: interrupted; run it again", file=sys.stderr)
+        return 130
+    except BrokenPipeError:  # the reader has stopped, as `head` does
+        sys.stderr.close()
+        return 1
+    except OSError as error:
+        print(f"{error.filename or 'mipgen'}: error: {error.strerror or error}", file=sys.stderr)
+        return 1
+
+
+class _Layout(argparse.RawDescriptionHelpFormatter):
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+
+    def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
+        yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
+
+
+def parser() -> argparse.ArgumentParser:
+    made = argparse.ArgumentParser(
+        prog="mipgen",
+        description="Bindings in several languages and a reference manual from one specification of the MIP protocol.",
+        epilog=EXAMPLES,
+        formatter_class=_Layout,
+    )
+    made.add_argument("--version", action="version", version=f"mipgen {__version__}")
+    made.set_defaults(run=None)
+    commands = made.add_subparsers(metavar="COMMAND", title="commands")
+
+    def command(name: str, run: str, text: str, epilog: str = "") -> argparse.ArgumentParser:
+        added = commands.add_parser(
+            name,
+            help=text,
+            description=f"{text[0].upper()}{text[1:]}.",
+            epilog=epilog,
+            formatter_class=_Layout,
+        )
+        added.set_defaults(run=run)
+        return added
+
+    new = command("new", "new", "write a small specification to start from")
+    new.add_argument("folder", type=folder, metavar="FOLDER", help="a new or empty folder")
+
+    validate = command("validate", "validate", "check a specification and write nothing")
+    _spec(validate)
+    _targets(validate)
+
+    generate = command("generate", "generate", "check a specification and write the files of all targets")
+    _spec(generate)
+    _part(generate)
+    _out(generate)
+    _plugins(_targets(generate))
+
+    diff = command("diff", "diff", "list what changed between two specifications, and what it breaks", DIFF)
+    diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
+    diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
+    diff.add_argument("--json", action="store_true", help="print the report as JSON")
+    diff.add_argument(
+        "--release",
+        action="store_true",
+        help="compare with the last release, and fail if the version number was not raised accordingly",
+    )
+    _spec(diff)
+
+    check = command("check", "check", "fail if generated files differ from the specification")
+    _spec(check)
+    _part(check)
+    _out(check)
+    _plugins(_targets(check))
+
+    audit = command("audit", "audit", "list where the specification differs from manuals and other sources")
+    _spec(audit)
+    audit.add_argument(
+        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
+    )
+    audit.add_argument(
+        "--sdk",
+        type=folder,
+        metavar="FOLDER",
+        help="facts about the vendor's SDK and devices: layouts.yaml, names.yaml, models.yaml, devices.yaml",
+    )
+
+    targets = command("targets", "targets", "list the targets")
+    targets.add_argument("--names", action="store_true", help="print only their names")
+    _target_path(targets)
+
+    completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
+    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that reads the script")
+    return made
+
+
+def folder(text: str) -> Path:
+    """A path; an empty one is a variable of a shell that is not set, and not the current folder."""
+    if not text:
+        raise argparse.ArgumentTypeError("it is empty; name a folder ('.' is the current one)")
+    return Path(text)
+
+
+def _spec(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--spec",
+        type=folder,
+        action="append",
+        metavar="FOLDER",
+        help="folder of the specification (default: ./spec); further ones are overlays of the first",
+    )
+
+
+def _part(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("a part of the specification, with everything that it needs")
+    for name, metavar, text in (
+        ("device", "ID", "what this device supports"),
+        ("set", "NAME", "this descriptor set, such as sensor"),
+        ("field", "NAME", "this field, such as 3dm.message_format"),
+    ):
+        group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
+
+
+def _out(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--out",
+        type=folder,
+        default=Path("generated"),
+        metavar="FOLDER",
+        help="folder of the output (default: ./generated)",
+    )
+
+
+def _targets(command: argparse.ArgumentParser) -> Any:
+    group = command.add_argument_group("targets")
+    group.add_argument(
+        "--target",
+        action="append",
+        dest="targets",
+        metavar="NAME",
+        help="only this target; may be repeated ('mipgen targets' lists them)",
+    )
+    _target_path(group)
+    return group
+
+
+def _plugins(group: Any) -> None:
+    group.add_argument(
+        "--plugin",
+        action="append",
+        dest="plugins",
+        default=[],
+        metavar="[NAME=]PROGRAM",
+        help="a program that reads the model as JSON and writes files as JSON; may be repeated",
+    )
+
+
+def _target_path(group: Any) -> None:
+    group.add_argument(
+        "--target-path",
+        action="append",
+        type=folder,
+        default=[],
+        metavar="FOLDER",
+        help="folder of your own targets, or of templates that replace built-in ones; may be repeated",
+    )

@@ -1,0 +1,329 @@
+"""The commands. Each imports modules only when it needs them, so that short commands are fast."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mipgen.base import resources
+from mipgen.base.errors import Failure
+from mipgen.emit import discovery, output, stamp
+
+#: The options that select a part of a specification.
+PARTS = ("devices", "sets", "fields")
+
+#: Exit statuses of `mipgen diff`; 1 and 2 are for errors.
+EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
+
+if TYPE_CHECKING:
+    from mipgen.emit.build import Output
+    from mipgen.emit.discovery import Source
+    from mipgen.model import Model
+
+
+def validate(options: Namespace) -> int:
+    sources, key = _asked(options)
+    known = stamp.remembered(key, None)
+    if known is not None:
+        print(known["summary"])
+        return 0
+    from mipgen.emit import build
+
+    model, summary = _load(options)
+    build.check_names(model, sources)
+    print(summary)
+    _remember(options, key, summary, [])
+    return 0
+
+
+def generate(options: Namespace) -> int:
+    sources, key = _asked(options)
+    known = stamp.remembered(key, options.out)
+    if known is not None:
+        print(known["summary"])
+        rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
+    else:
+        from mipgen.emit import build
+
+        _apart(options, sources)
+        model, summary = _load(options)
+        outputs = build.make(model, sources)
+        changes = _write(options, outputs)
+        print(summary)
+        rows = [(o.name, o.title, len(o.files), changed) for o, changed in zip(outputs, changes, strict=True)]
+        _remember(options, key, summary, outputs)
+    for name, title, files, changed in rows:
+        print(f"{name:10} {files:4} files, {changed} changed  ({title})")
+    others = discovery.sources(options.target_path, options.plugins).keys() - {source.name for source in sources}
+    rest = f"left out: {', '.join(sorted(others))}" if others else "nothing was left out"
+    print(f"{options.out}: {sum(r[2] for r in rows)} files, {sum(r[3] for r in rows)} changed; {rest}")
+    return 0
+
+
+def check(options: Namespace) -> int:
+    from mipgen.emit import build
+
+    sources, _ = _asked(options)
+    model, summary = _load(options)
+    outputs = build.make(model, sources)
+    print(summary)
+    found = [(options.out / o.name, d) for o in outputs for d in output.compare(o.files, options.out / o.name)]
+    for folder, difference in found:
+        print(f"{folder / difference.path}: error: {difference.what}", file=sys.stderr)
+    others = sum(d.what in output.OTHERS for _, d in found)
+    if others:
+        it = "it" if others == 1 else "them"
+        print(f"mipgen: {_count(others, 'file')} that mipgen did not write; move or delete {it}", file=sys.stderr)
+    if len(found) > others:
+        wrong = _count(len(found) - others, "file")
+        print(f"mipgen: {wrong} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
+    if not found:
+        print(f"{options.out} is up to date")
+    return 1 if found else 0
+
+
+def _given(options: Namespace) -> str:
+    """The options of a run, for a command that does the same."""
+    given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
+    given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
+    given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
+    given += [("--plugin", options.plugins)]
+    return "".join(f" {option} {shlex.quote(str(value))}" for option, values in given for value in values)
+
+
+def _asked(options: Namespace) -> tuple[list[Source], str | None]:
+    """The selected targets, and a key of everything that their output depends on."""
+    specs = _specs(options)
+    sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()))
+    if any(source.module or source.program for source in sources):
+        return sources, None  # the inputs of a user's module or program are unknown
+    part = repr([getattr(options, name, ()) for name in PARTS])
+    names = (source.name for source in sources)
+    return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
+
+
+def _apart(options: Namespace, sources: list[Source]) -> None:
+    """Raises Failure if output would lie in a folder that is read, or such a folder in the output."""
+    made = {options.out / source.name: _real(options.out / source.name) for source in sources}
+    read = [("--spec", path) for path in _specs(options)] + [("--target-path", path) for path in options.target_path]
+    for option, path in read:
+        for folder in (path, *sorted(p for p in path.glob("*") if p.is_dir())):  # any of them may be a link
+            spec, real = option == "--spec", _real(folder)
+            if spec and folder != path and not any(folder.glob("*.yaml")):
+                continue  # a specification may be a whole project, with the output in a folder of its own
+            for place, target in made.items():
+                mixed = real in (target, target.parent) if spec and folder == path else target.is_relative_to(real)
+                if mixed:
+                    raise Failure(f"{place} lies in {folder}, which {option} names; choose another --out")
+                if real.is_relative_to(target):
+                    raise Failure(f"{folder}, which {option} names, lies in {place}; choose another --out")
+
+
+def _real(path: Path) -> Path:
+    return Path(os.path.realpath(path))  # unlike Path.resolve, it does not raise where links are a circle
+
+
+def _write(options: Namespace, outputs: list[Output]) -> list[int]:
+    """Writes all files; the number of changed ones for each target. Files of a user are kept."""
+    folders = {options.out / o.name: o.files for o in outputs}
+    try:
+        found = {folder: output.compare(files, folder) for folder, files in folders.items()}
+        foreign = [folder / d.path for folder, several in found.items() for d in several if d.what == "foreign"]
+        if not foreign:
+            return [len(output.write(files, folder, found[folder])) for folder, files in folders.items()]
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
+    listed = "".join(f"\n  {path}" for path in foreign)
+    raise Failure(
+        f"these would be replaced, and no {resources.MANIFEST} of mipgen lists them; "
+        f"move or delete them, or choose another --out:{listed}",
+        str(options.out),
+    )
+
+
+def _reason(error: OSError) -> str:
+    return f"{error.strerror} ({error.filename})" if error.filename else str(error.strerror or error)
+
+
+def _specs(options: Namespace) -> list[Path]:
+    """The folder of the specification, and those that are laid over it."""
+    specs: list[Path] = options.spec or [Path("spec")]
+    if not (specs[0] / "protocol.yaml").is_file():
+        raise Failure(
+            "there is no specification here: protocol.yaml is missing; "
+            "name its folder with --spec, or write one to start from with 'mipgen new FOLDER'",
+            str(specs[0]),
+        )
+    return specs
+
+
+def _load(options: Namespace) -> tuple[Model, str]:
+    """The specification, or the selected part of it, and a summary."""
+    from mipgen.resolve import subset
+    from mipgen.resolve.load import load_model
+
+    whole = load_model(*_specs(options))
+    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
+    if not asked:
+        return whole, _summary(whole)
+    part = subset.select(whole, asked)
+    return part, f"{subset.left_out(whole, part)}\n{_summary(part)}"
+
+
+def _summary(model: Model) -> str:
+    from mipgen.model import COMMAND, RESPONSE
+
+    responses = sum(f.role == RESPONSE for f in model.fields)
+    commands = sum(f.role == COMMAND for f in model.fields)
+    data = len(model.fields) - responses - commands
+    return (
+        f"{_count(len(model.sets), 'set')}: {_count(commands, 'command')}, {_count(data, 'data field')}, "
+        f"{_count(responses, 'response')}; {_count(len(model.devices), 'device')}, "
+        f"{_count(len(model.examples), 'example')}, {_count(len(model.errata), 'erratum', 'errata')}"
+    )
+
+
+def _count(number: int, one: str, several: str = "") -> str:
+    return f"{number} {one if number == 1 else several or one + 's'}"
+
+
+def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
+    if key == _asked(options)[1]:  # the input has not changed meanwhile
+        stamp.remember(key, summary, {o.name: (o.title, o.files) for o in outputs})
+
+
+def diff(options: Namespace) -> int:
+    """Prints what changed; the exit status is the verdict."""
+    import json
+
+    from mipgen.compare import changes, revisions
+
+    spec, *overlays = _specs(options)
+    if options.release:
+        return _since_release(spec, overlays)
+    if options.old is None:
+        raise Failure("name what to compare with: a folder, a revision, or --release")
+    with revisions.folder(options.old, spec) as before:
+        if options.new is None:
+            new = _of_another_time(str(spec), spec, *overlays)
+        else:
+            with revisions.folder(options.new, spec) as after:
+                new = _of_another_time(options.new, after)
+        report = changes.compare(_of_another_time(options.old, before), new)
+    print(json.dumps(report.plain(), indent=2) if options.json else report.text(options.old))
+    return EXIT_STATUS[report.verdict]
+
+
+def _since_release(spec: Path, overlays: list[Path]) -> int:
+    """Compares with the last release; fails if the version number says less than what changed."""
+    from mipgen.compare import changes, revisions
+
+    tag = revisions.last_release(spec)
+    if tag is None:
+        print("nothing is released yet, so there is nothing to compare with")
+        return 0
+    new = _of_another_time(str(spec), spec, *overlays)
+    with revisions.folder(tag, spec) as before:
+        try:
+            report = changes.compare(_of_another_time(tag, before), new)
+        except Failure:
+            report = changes.unreadable(tag.removeprefix("v"), new)
+    print(report.text(tag))
+    if changes.enough(report):
+        return 0
+    print(f"mipgen: the version {report.new} is too low for these changes; raise it in protocol.yaml", file=sys.stderr)
+    return 1
+
+
+def _of_another_time(name: str, *folders: Path) -> Model:
+    """A specification that may be too old for this program."""
+    from mipgen.read.problems import SpecError
+    from mipgen.resolve.load import load_model
+
+    try:
+        return load_model(*folders)
+    except SpecError as error:
+        raise Failure(f"this mipgen cannot read it: {error.problems[0].message}", name) from None
+
+
+def audit(options: Namespace) -> int:
+    from mipgen.audit import devices, manuals, sdk
+    from mipgen.read.problems import nearest
+
+    if not options.manual and options.sdk is None:
+        raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
+    model, _ = _load(options)
+    known = [x.id for x in model.protocol.manuals]
+    findings = []
+    for argument in options.manual:
+        manual, _, file = argument.partition("=")
+        if manual not in known:
+            raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
+        if not Path(file).is_file():
+            raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
+        findings += manuals.audit(model, manual, Path(file))
+    if options.sdk is not None:
+        if not options.sdk.is_dir():
+            raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
+        findings += [*sdk.audit(model, options.sdk), *devices.audit(model, options.sdk)]
+    print("".join(f"{f}\n" for f in findings), end="")
+    print(f"{len(findings)} findings")
+    return 1 if findings else 0
+
+
+# --------------------------------------------------------------------------- others
+
+
+def new(options: Namespace) -> int:
+    """Writes a specification that validates; into an empty or new folder."""
+    folder: Path = options.folder
+    schemas = resources.root() / "spec/schema"
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise Failure("this folder is not empty; name a new or empty folder", str(folder))
+        for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_bytes(file.read_bytes())
+    except OSError as error:
+        raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
+    named = "" if folder == Path("spec") else f" --spec {shlex.quote(str(folder))}"
+    print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
+    return 0
+
+
+def targets(options: Namespace) -> int:
+    for source in discovery.chosen(None, options.target_path):
+        own = "" if source.ours else f"  [{source.folders[0]}]"
+        print(source.name if options.names else f"{source.name:10} {source.load().title}{own}")
+    return 0
+
+
+def completion(options: Namespace) -> int:
+    import shtab
+
+    from . import arguments
+
+    parser = arguments.parser()
+    for action in _actions(parser):
+        if action.type is arguments.folder:
+            action.complete = shtab.DIRECTORY
+        elif action.dest == "targets":
+            action.complete = shtab.cmd("mipgen targets --names")
+        elif action.dest == "plugins":
+            action.complete = shtab.FILE
+    print(shtab.complete(parser, options.shell))
+    return 0
+
+
+def _actions(parser: Any) -> Iterator[Any]:
+    """All arguments of a parser and of its commands."""
+    for action in parser._actions:
+        yield action
+        if isinstance(action.choices, dict):
+            for command in action.choices.values():
+                yield from _actions(command)

@@ -1,0 +1,1 @@
+"""What a change to a specification means for its users."""

@@ -1,0 +1,399 @@
+"""Compares two specifications: does the new one break programs written for the old one?
+
+A verdict for each field, type value and device, and one for all:
+
+same           nothing changed that a program could notice, but perhaps the documentation or the simulated device:
+               a guide, a typical value, an example, an erratum
+compatible     something was added, or a text, range or default changed
+source         a program must be changed to build again: something was renamed or removed
+wire           the same bytes mean something else, or other bytes are sent
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, fields, is_dataclass
+from typing import Any, Final, Literal
+
+from mipgen import model as m
+
+Verdict = Literal["same", "compatible", "source", "wire"]
+
+#: From harmless to worst.
+VERDICTS: Final[tuple[Verdict, ...]] = ("same", "compatible", "source", "wire")
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    verdict: Verdict
+    subject: str  # "3dm.gyro_bias", "ack_code.ok", "3dm-gx5-15"
+    what: str
+
+    def __str__(self) -> str:
+        return f"{self.verdict:10} {self.subject}: {self.what}"
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    old: str  # version
+    new: str
+    verdict: Verdict
+    changes: tuple[Change, ...]
+
+    def text(self, name: str) -> str:
+        """A line for each change, and one for the whole; `name` is what the old specification is called."""
+        whole = f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
+        return "\n".join([*map(str, self.changes), whole])
+
+    def plain(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return asdict(self)
+
+
+def compare(old: m.Model, new: m.Model) -> Report:
+    changes = sorted(
+        {
+            *_fields(old, new),
+            *_types(old, new),
+            *_devices(old, new),
+            *_functions(old, new),
+            *_package(old, new),
+            *_documentation(old, new),
+        },
+        key=lambda c: (-VERDICTS.index(c.verdict), c.subject, c.what),
+    )
+    worst = max((c.verdict for c in changes), key=VERDICTS.index, default=VERDICTS[0])
+    return Report(old.protocol.version, new.protocol.version, worst, tuple(changes))
+
+
+def unreadable(version: str, new: m.Model) -> Report:
+    """For an old specification in a format that is no longer supported: anything may have changed."""
+    change = Change("wire", "the specification", "the old one is in a language that this mipgen cannot read")
+    return Report(version, new.protocol.version, change.verdict, (change,))
+
+
+def enough(report: Report) -> bool:
+    """Was the version number raised enough for the changes? Before 1.0.0 the second number is the major one.
+
+    >>> enough(Report("0.1.3", "0.1.4", "compatible", ())), enough(Report("1.1.3", "1.1.4", "compatible", ()))
+    (True, False)
+    >>> enough(Report("0.1.3", "0.2.0", "wire", ())), enough(Report("1.1.3", "1.2.0", "source", ()))
+    (True, False)
+    """
+    old, new = ([int(part) for part in v.split(".")] for v in (report.old, report.new))
+    if old[0] == 0 == new[0]:
+        old, new = old[1:], new[1:]
+    wanted = {"same": 3, "compatible": 2, "source": 1, "wire": 1}[report.verdict]
+    return new[:wanted] > old[:wanted] or (report.verdict == "same" and new == old)
+
+
+# --------------------------------------------------------------------------- fields
+
+
+def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
+    """Fields are the same thing if set, descriptor, role and constants are; and the size, if it distinguishes
+    layouts."""
+    shared = {key for model in (old, new) for key, n in Counter(map(_identity, model.fields)).items() if n > 1}
+
+    def place(f: m.Field) -> tuple[object, ...]:
+        key = _identity(f)
+        return (key, f.min_size) if key in shared else (key,)
+
+    theirs, ours = ({place(f): f for f in model.fields} for model in (old, new))
+    for key, f in theirs.items():
+        if key not in ours:
+            yield Change("source", f.full_name, f"removed {_place(f)}")
+    for key, f in ours.items():
+        before = theirs.get(key)
+        if before is None:
+            yield Change("compatible", f.full_name, f"added {_place(f)}")
+        else:
+            yield from _field(before, f)
+
+
+def _identity(f: m.Field) -> tuple[object, ...]:
+    return (f.set, f.descriptor, f.role, f.signature)
+
+
+def _place(f: m.Field, number: int | None = None) -> str:
+    return f"(0x{f.set if number is None else number:02X},0x{f.descriptor:02X})"
+
+
+def _field(old: m.Field, new: m.Field) -> Iterator[Change]:
+    name = new.full_name
+    if old.full_name != name:
+        yield Change("source", name, f"was called {old.full_name}")
+    for number in set(old.sets) - set(new.sets):
+        yield Change("source", name, f"removed from the set 0x{number:02X}")
+    for number in set(new.sets) - set(old.sets):
+        yield Change("compatible", name, f"added {_place(new, number)}")
+    yield from _differences("source", name, {"short name": (old.short, new.short)})
+    if _wire(old) != _wire(new):
+        yield Change("wire", name, _first_difference(old, new))
+        return  # parameters can no longer be matched by position
+    yield from _parameters(name, old.parameters, new.parameters)
+    a, b = m.letters(old.functions), m.letters(new.functions)
+    if a != b:
+        fewer = set(a) - set(b)
+        yield Change("source" if fewer else "compatible", name, f"takes the functions {_said(b)}, took {_said(a)}")
+    if old.responses != new.responses:
+        lost = [r for r in old.responses if r not in new.responses]
+        yield Change("source" if lost else "compatible", name, f"is answered by {', '.join(new.responses) or 'none'}")
+    if (old.silent_when, old.when) != (new.silent_when, new.when):
+        yield Change("wire", name, "answers under other conditions")
+    if old.devices != new.devices:
+        yield Change("compatible", name, "a layout of other devices")
+    if old.deprecated != new.deprecated:
+        yield Change("compatible", name, "deprecated" if new.deprecated else "no longer deprecated")
+    if _texts(old) != _texts(new):
+        yield Change("compatible", name, "another description")
+
+
+def _texts(f: m.Field) -> tuple[object, ...]:
+    return (f.title, f.description, f.notes, f.advanced, f.timeout, f.max_rate)
+
+
+def _wire(record: m.Field | m.Struct) -> tuple[object, ...]:
+    """What is on the wire, without names."""
+    order = {p.name: i for i, p in enumerate(record.parameters)}
+    found: list[object] = [_shape(p, order) for p in record.parameters]
+    if isinstance(record, m.Field):
+        found += [(f.value, record.required(f.value)) for f in record.functions] or [record.required()]
+    return tuple(found)
+
+
+def _shape(p: m.Parameter, order: dict[str, int]) -> tuple[object, ...]:
+    length = order[p.length] if isinstance(p.length, str) and p.length in order else p.length
+    cases = tuple((c.tag.value, _shape(c.parameter, {}) if c.parameter else None) for c in p.cases)
+    return (_element(p.element), length, p.constant, p.selector, order.get(p.tag or ""), cases)
+
+
+def _element(e: m.Scalar | m.Type | None) -> object:
+    match e:
+        case m.Struct():
+            return _wire(e)
+        case m.Vector():
+            return (e.scalar.name, len(e.elements))
+        case m.Enum():
+            return e.scalar.name
+        case m.Bitfield():
+            return e.scalar.name if e.scalar else f"{e.size} bytes"
+        case m.Scalar():
+            return e.name
+    return None
+
+
+def _first_difference(old: m.Field, new: m.Field) -> str:
+    for a, b in zip(old.parameters, new.parameters, strict=False):
+        if _shape(a, {}) != _shape(b, {}):
+            return f"another layout, from {b.name} on"
+    more = len(new.parameters) - len(old.parameters)
+    if more:
+        return f"another layout: {abs(more)} parameter{'s' if abs(more) > 1 else ''} {'more' if more > 0 else 'fewer'}"
+    return "functions require other parameters"
+
+
+# --------------------------------------------------------------------------- parameters
+
+
+def _parameters(of: str, old: Sequence[m.Parameter], new: Sequence[m.Parameter]) -> Iterator[Change]:
+    """Parameters of one layout, by their place."""
+    for a, b in zip(old, new, strict=True):
+        subject = f"{of}.{b.name}"
+        if a.name != b.name:
+            yield Change("source", subject, f"was called {a.name}")
+        yield from _differences("wire", subject, {"unit": (a.units, b.units), "frame": (a.frame, b.frame)})
+        harmless = {
+            "range": ((a.minimum, a.maximum), (b.minimum, b.maximum)),
+            "default": (a.default, b.default),
+            "valid flag": (a.valid, b.valid),
+            "value to send": (a.reserved, b.reserved),
+        }
+        yield from _differences("compatible", subject, harmless)
+        yield from _differences("same", subject, {"typical value": (a.typical, b.typical)})
+        if _type_name(a.element) != _type_name(b.element):
+            yield Change("source", subject, f"of type {_type_name(b.element)}, was {_type_name(a.element)}")
+        if a.variants != b.variants:
+            yield Change("compatible", subject, "varies in another way")
+        if (a.description, a.notes, a.deprecated) != (b.description, b.notes, b.deprecated):
+            yield Change("compatible", subject, "another description")
+        for c, d in zip(a.cases, b.cases, strict=True):
+            if c.parameter and d.parameter:
+                yield from _parameters(subject, [c.parameter], [d.parameter])
+
+
+def _differences(verdict: Verdict, subject: str, pairs: dict[str, tuple[object, object]]) -> Iterator[Change]:
+    for what, (old, new) in pairs.items():
+        if old != new:
+            yield Change(verdict, subject, f"{what} {_said(new)}, was {_said(old)}")
+
+
+def _said(value: object) -> str:
+    if value is None or value in ((), ""):
+        return "none"
+    if isinstance(value, (tuple, list)):
+        return ", ".join("open" if v is None else str(v) for v in value)
+    return str(value)
+
+
+def _type_name(e: m.Scalar | m.Type | None) -> str:
+    return "union" if e is None else e.name
+
+
+# --------------------------------------------------------------------------- types
+
+
+def _types(old: m.Model, new: m.Model) -> Iterator[Change]:
+    """The values, bits and members of types of the same name."""
+    theirs, ours = ({_spec_name(t): t for t in model.all_types} for model in (old, new))
+    for name, t in theirs.items():
+        if name not in ours:
+            yield Change("source", name, "removed")
+        else:
+            yield from _type(name, t, ours[name])
+    for name in ours.keys() - theirs.keys():
+        yield Change("compatible", name, "added")
+
+
+def _spec_name(t: m.Type) -> str:
+    owner = None if isinstance(t, m.Vector) else t.owner
+    return f"{owner}.{t.name}" if owner else t.name
+
+
+def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
+    match old, new:
+        case m.Enum(), m.Enum():
+            yield from _named(name, {v.value: v.name for v in old.values}, {v.value: v.name for v in new.values})
+            yield from _shortened(name, old.values, new.values)
+        case m.Bitfield(), m.Bitfield():
+            yield from _named(
+                name, {(b.first, b.last): b.name for b in old.bits}, {(b.first, b.last): b.name for b in new.bits}
+            )
+            yield from _shortened(name, old.bits, new.bits)
+        case m.Struct(), m.Struct():
+            if _wire(old) == _wire(new):  # otherwise the fields report it
+                yield from _parameters(name, old.parameters, new.parameters)
+        case m.Vector(), m.Vector():
+            if old.elements != new.elements:
+                yield Change("source", name, f"elements {', '.join(new.elements)}, were {', '.join(old.elements)}")
+        case _:
+            yield Change("source", name, f"{new.kind}, was {old.kind}")
+    if not isinstance(old, m.Vector) and not isinstance(new, m.Vector):
+        yield from _differences("source", name, {"short name": (old.short, new.short)})
+    if old.description != new.description:
+        yield Change("compatible", name, "another description")
+
+
+def _shortened(of: str, old: Sequence[m.EnumValue | m.Bits], new: Sequence[m.EnumValue | m.Bits]) -> Iterator[Change]:
+    """The short names of those that are still there."""
+    before = {x.name: x.short for x in old}
+    for x in new:
+        if x.name in before:
+            yield from _differences("source", f"{of}.{x.name}", {"short name": (before[x.name], x.short)})
+
+
+def _named(of: str, old: dict[Any, str], new: dict[Any, str]) -> Iterator[Change]:
+    """Names of numbers or bits; a name that moved to another number is the dangerous change."""
+    for number, name in old.items():
+        if new.get(number) == name:
+            continue
+        if name in new.values():
+            yield Change("wire", f"{of}.{name}", f"is {_number(new, name)}, was {_shown(number)}")
+        elif number in new:
+            yield Change("source", f"{of}.{new[number]}", f"was called {name}")
+        else:
+            yield Change("source", f"{of}.{name}", "removed")
+    for number, name in new.items():
+        if number not in old and name not in old.values():
+            yield Change("compatible", f"{of}.{name}", f"added: {_shown(number)}")
+
+
+def _number(of: dict[Any, str], name: str) -> str:
+    return next(_shown(number) for number, n in of.items() if n == name)
+
+
+def _shown(number: object) -> str:
+    return f"bits {number[0]}-{number[1]}" if isinstance(number, tuple) else str(number)
+
+
+# --------------------------------------------------------------------------- devices and functions
+
+
+def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
+    theirs, ours = ({d.id: d for d in model.devices} for model in (old, new))
+    for name in theirs.keys() - ours.keys():
+        yield Change("source", name, "removed")
+    for name, d in ours.items():
+        before = theirs.get(name)
+        if before is None:
+            yield Change("compatible", name, "added")
+        elif _profile(before) != _profile(d):
+            yield Change("compatible", name, "another profile")
+
+
+def _profile(d: m.Device) -> tuple[object, ...]:
+    supports = tuple((s.set, s.field.descriptor, m.letters(s.functions), s.evidence, s.deprecated) for s in d.supports)
+    rates = tuple((r.set.number, r.hertz) for r in d.base_rates)
+    identity = (d.title, d.description, d.also, d.model_number, d.generation, d.manual)
+    return (*identity, supports, rates, d.ports, d.limits, d.notes, d.ack_codes, d.incomplete, d.uncertain)
+
+
+def _functions(old: m.Model, new: m.Model) -> Iterable[Change]:
+    a, b = ({f.value: f.name for f in model.protocol.functions} for model in (old, new))
+    return _named("function_selector", a, b)
+
+
+def _package(old: m.Model, new: m.Model) -> Iterator[Change]:
+    a, b = old.protocol.package, new.protocol.package
+    if a != b:
+        yield Change("source", "the package", f"renamed from {a} to {b}")
+
+
+# --------------------------------------------------------------------------- documentation
+
+
+def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
+    """What no program of a user notices."""
+
+    def quantities(of: m.Model) -> dict[str, object]:
+        return {q.name: (q.typical, q.description) for q in of.simulation.quantities}
+
+    def simulated(of: m.Model) -> dict[str, object]:
+        behaviors = {b.command.full_name: b for b in of.simulation.behaviors}
+        sources = {s.field.full_name if s.set is None else s.field.name_in(s.set): s for s in of.simulation.sources}
+        return {**sources, **behaviors}
+
+    kinds: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+        "guide": ({g.name: g for g in old.guides}, {g.name: g for g in new.guides}),
+        "example": ({e.id: e for e in old.examples}, {e.id: e for e in new.examples}),
+        "erratum": ({e.id: e for e in old.errata}, {e.id: e for e in new.errata}),
+        "quantity": (quantities(old), quantities(new)),
+        "simulation": (simulated(old), simulated(new)),
+    }
+    for kind, (before, now) in kinds.items():
+        for name in before.keys() | now.keys():
+            if name not in now:
+                yield Change("same", name, f"{kind} removed")
+            elif name not in before:
+                yield Change("same", name, f"{kind} added")
+            elif _plain(before[name]) != _plain(now[name]):
+                yield Change("same", name, f"another {kind}")
+
+
+def _plain(x: Any) -> object:
+    """What something says itself; what it refers to is a name."""
+    match x:
+        case m.Field():
+            return x.full_name
+        case m.Device():
+            return x.id
+        case m.Set() | m.Family():
+            return x.name
+        case list() | tuple():
+            return [_plain(one) for one in x]
+        case dict():
+            return {key: _plain(value) for key, value in x.items()}
+    if is_dataclass(x):
+        return [_plain(getattr(x, f.name)) for f in fields(x) if f.compare]
+    return x

@@ -1,0 +1,72 @@
+"""From a model to the files of several targets, all in memory."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from mipgen.base import parallel
+from mipgen.model import Model
+from mipgen.read.problems import Problem, Problems, SpecError
+
+from . import discovery, naming, render
+from .discovery import Source
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """The files that one target makes of a model, or the names that prevent it."""
+
+    name: str
+    title: str
+    files: dict[str, bytes]
+    problems: list[Problem]
+
+
+def check_names(model: Model, sources: Sequence[Source]) -> None:
+    """Raises SpecError if two things of the model get the same name in one of the languages, or one too long a name."""
+    found = parallel.each(lambda source: _unfit(model, source), sources)
+    _raise([problem for problems in found for problem in problems])
+
+
+def make(model: Model, sources: Sequence[Source]) -> list[Output]:
+    """The output of each target, each made in its own process; then those of plugins, which run beside this one."""
+
+    def one(source: Source) -> Output:
+        problems = _unfit(model, source)
+        files = {} if problems else render.render(source, model)
+        target = source.load()
+        rename = target.renaming(model.protocol.package)
+        return Output(source.name, rename(target.title) if rename else target.title, files, problems)
+
+    from . import templating  # noqa: F401 (Jinja and targets are imported once, and not in each process)
+
+    ours = [source for source in sources if source.program is None]
+    first = sorted(ours, key=lambda source: not source.load().slow)
+    made = {output.name: output for output in parallel.each(one, first)}
+    _raise([found for output in made.values() for found in output.problems])
+    if len(ours) < len(sources):
+        from . import plugins
+
+        document = render.render(discovery.built_in("json"), model)["mip.json"]
+        for source in sources:
+            if source.program is not None:
+                title, files = plugins.run(source.name, source.program, document)
+                made[source.name] = Output(source.name, title, files, [])
+    return [made[source.name] for source in sources]
+
+
+def _unfit(model: Model, source: Source) -> list[Problem]:
+    problems = Problems()
+    target = source.load()
+    identifiers = target.identifiers(model)
+    rename = target.renaming(model.protocol.package)
+    if rename is not None:
+        identifiers = (replace(i, name=rename(i.name)) for i in identifiers)
+    naming.judge(source.name, identifiers, target.grammar, problems)
+    return problems.sorted()
+
+
+def _raise(problems: list[Problem]) -> None:
+    if problems:
+        raise SpecError(sorted(set(problems)))

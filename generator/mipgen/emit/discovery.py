@@ -1,0 +1,131 @@
+"""Finds targets and their templates.
+
+Built-in targets are the packages of `mipgen.targets`, with templates in `templates/<name>/` and files that are
+copied unchanged in `runtime/<name>/`. A user's folder (`--target-path`) contains a folder `<name>/` for each
+target, with templates, a `target.py` and perhaps `runtime/`. If it has the name of a built-in target, what it has
+takes precedence. A plugin (`--plugin`) is a program, see `plugins`. Each module defines `TARGET`, a `Target`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import pkgutil
+import sys
+import traceback
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from mipgen.base import resources
+from mipgen.base.errors import Failure
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+    from .target import Target
+
+BUILT_IN = "mipgen.targets"  # named, not imported: targets import this package
+MODULE = "target.py"
+RUNTIME = "runtime"
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The files of a target."""
+
+    name: str
+    folders: tuple[Traversable, ...]  # of templates; the first that has a file wins
+    runtimes: tuple[Traversable, ...]  # of files that are copied unchanged, likewise
+    module: Path | None = None  # the user's target.py
+    program: str | None = None  # of a plugin, which has nothing else
+
+    @property
+    def ours(self) -> bool:
+        return self.module is None and len(self.folders) == 1
+
+    def load(self) -> Target:
+        """What the module of the target defines."""
+        from .target import Target, WrongTarget  # slow to import, and a run with nothing to do loads no target
+
+        if self.module is None:
+            built_in: Target = importlib.import_module(f"{BUILT_IN}.{self.name}").TARGET
+            return built_in
+        name = f"mipgen_target_{self.name}"
+        beside = [str(self.module.parent)]  # allows modules of its own: `from . import names`
+        spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
+        assert spec is not None and spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        try:
+            spec.loader.exec_module(module)
+        except SyntaxError as error:
+            raise Failure(f"not Python: {error.msg}", f"{error.filename}:{error.lineno}") from None
+        except WrongTarget as error:
+            ours = (f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(self.module))
+            raise Failure(str(error), f"{self.module}:{[f.lineno for f in ours][-1]}") from None
+        found = getattr(module, "TARGET", None)
+        if not isinstance(found, Target):
+            raise Failure("TARGET is missing; write TARGET = Target(title=..., files=...)", str(self.module))
+        return found
+
+
+def names() -> list[str]:
+    """The built-in targets, in order."""
+    return sorted(module.name for module in pkgutil.iter_modules(importlib.import_module(BUILT_IN).__path__))
+
+
+def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
+    """All targets by name, in order; earlier folders take precedence."""
+    found = {name: built_in(name) for name in names()}
+    for path in reversed(paths):
+        for folder in _folders(path):
+            name, module = folder.name, folder / MODULE
+            before = found.get(name)
+            if before is None and not module.is_file():
+                near = _nearest(name, found)
+                raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
+            found[name] = Source(
+                name,
+                (folder, *(before.folders if before else ())),
+                (folder / RUNTIME, *(before.runtimes if before else ())),
+                module if module.is_file() else before.module if before else None,
+            )
+    for plugin in plugins:
+        from .plugins import parse
+
+        name, program = parse(plugin)
+        if name in found:
+            raise Failure(f"there is a target '{name}' already; write --plugin NAME=PROGRAM", f"plugin {plugin}")
+        found[name] = Source(name, (), (), program=program)
+    return dict(sorted(found.items()))
+
+
+def built_in(name: str) -> Source:
+    root = resources.root()
+    return Source(name, (root / "templates" / name,), (root / RUNTIME / name,))
+
+
+def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> list[Source]:
+    """The selected targets, or all; plugins always."""
+    known = sources(paths, plugins)
+    for name in wanted or ():
+        if name not in known:
+            raise Failure(f"unknown target '{name}'{_nearest(name, known)}")
+    return [source for name, source in known.items() if not wanted or name in wanted or source.program]
+
+
+def _folders(path: Path) -> Iterator[Path]:
+    if not path.is_dir():
+        raise Failure("there is no such folder; --target-path names the one above those of the targets", str(path))
+    found = sorted(p for p in path.iterdir() if p.is_dir() and p.name[0] not in "._")
+    if not found:
+        raise Failure(f"there is no target in it; write one: {path}/<name>/{MODULE}", str(path))
+    yield from found
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    from mipgen.read.problems import nearest  # imports the model, which a run with nothing to do does not need
+
+    return nearest(name, known)

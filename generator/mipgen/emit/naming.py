@@ -1,0 +1,135 @@
+"""Turns words into identifiers, escapes keywords, and finds names that a language cannot have."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+from mipgen.read.position import Position
+from mipgen.read.problems import Problems
+
+
+def upper(words: str) -> str:
+    """
+    >>> upper("gps_time_update")
+    'GPS_TIME_UPDATE'
+    """
+    return words.upper()
+
+
+@cache
+def pascal(words: str) -> str:
+    """
+    >>> pascal("gps_time_update"), pascal("3dm"), pascal("matrix3f")
+    ('GpsTimeUpdate', '3dm', 'Matrix3f')
+    >>> pascal("gnss_1"), pascal("port_2_3")
+    ('Gnss1', 'Port2_3')
+    """
+    out = ""
+    for word in words.split("_"):
+        joint = "_" if out and out[-1].isdigit() and word[:1].isdigit() else ""
+        out += joint + word[:1].upper() + word[1:]
+    return out
+
+
+@dataclass(frozen=True, slots=True)
+class Escape:
+    """Makes a name legal in a language.
+
+    >>> e = Escape(frozenset({"default"}), suffix="_", digit_prefix="mip_")
+    >>> e("default"), e("3dm"), e("ping")
+    ('default_', 'mip_3dm', 'ping')
+    """
+
+    keywords: frozenset[str]
+    suffix: str = "_"
+    digit_prefix: str = "_"
+
+    def __call__(self, name: str) -> str:
+        if name[:1].isdigit():
+            name = self.digit_prefix + name
+        return name + self.suffix if name in self.keywords else name
+
+
+@dataclass(frozen=True, slots=True)
+class Grammar:
+    """The identifiers that a language accepts.
+
+    >>> g = Grammar(r"[a-z]\\w*", frozenset({"if"}))
+    >>> g.fault("x1"), g.fault("1x"), g.fault("if")
+    ('', 'is no identifier', 'is a keyword')
+    """
+
+    pattern: str  # of all of a name: a regular expression
+    keywords: frozenset[str] = frozenset()
+    longest: int | None = None  # how many characters of a name count, if that is limited
+
+    def fault(self, name: str) -> str:
+        """What is wrong with a name; empty if nothing is."""
+        if not re.fullmatch(self.pattern, name, re.ASCII):
+            return "is no identifier"
+        return "is a keyword" if name in self.keywords else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Identifier:
+    """A name that a target puts into a scope of its language."""
+
+    scope: str
+    name: str
+    what: str  # in the words of the specification
+    position: Position | None
+    word: bool = True  # of the language, whose grammar it obeys; else it names a file, a feature or the like
+
+
+def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | None, problems: Problems) -> None:
+    """Reports the names that a language cannot have."""
+    found = list(identifiers)
+    collisions(target, found, problems)
+    if grammar is not None:
+        words = [i for i in found if i.word]
+        invalid(target, words, grammar, problems)
+        if grammar.longest is not None:
+            lengths(target, words, grammar.longest, problems)
+
+
+def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, problems: Problems) -> None:
+    """Every name must be an identifier of the language, and none of its keywords."""
+    for i in identifiers:
+        fault = grammar.fault(i.name)
+        if fault:
+            problems.add(
+                i.position,
+                f"'{i.what}' becomes '{i.name}' in {i.scope}; this {fault} in the target {target}: rename it, "
+                "or let the target escape it",
+            )
+
+
+def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
+    """No name may be longer; of the names that one thing gives rise to, the longest is reported."""
+    worst: dict[tuple[str, Position | None], Identifier] = {}
+    for i in identifiers:
+        other = worst.setdefault((i.what, i.position), i)
+        if len(i.name) > len(other.name):
+            worst[i.what, i.position] = i
+    for i in worst.values():
+        if len(i.name) > longest:
+            problems.add(
+                i.position,
+                f"'{i.what}' becomes {i.name}, and the target {target} looks at {longest} of its {len(i.name)} "
+                "characters; give it, or what it belongs to, a shorter name with 'short'",
+            )
+
+
+def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
+    """Two things of the specification must not get the same name in a language."""
+    seen: dict[tuple[str, str], Identifier] = {}
+    for i in identifiers:
+        other = seen.setdefault((i.scope, i.name), i)
+        if other is not i:
+            problems.add(
+                i.position,
+                f"'{i.what}' and '{other.what}' both become {i.name} in {i.scope} of the target {target}; rename one",
+            )

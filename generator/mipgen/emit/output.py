@@ -1,0 +1,141 @@
+"""A folder of output: how it differs from the files that it should hold, and how these are written.
+
+The manifest of a folder lists the files that mipgen wrote; only these are replaced or removed. It lists new files
+before they are written, and old ones until they are gone, so that a run finishes what an interrupted one has begun.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from mipgen.base.errors import Failure
+from mipgen.base.resources import MANIFEST
+
+#: The first line of a manifest. A file of that name without it is a user's.
+HEADER = "# Files that mipgen wrote, and may replace or remove"
+
+#: Ends the name of a file until all of it is written.
+_PART = re.compile(r"\.[0-9]+\.part$")
+
+#: Folders of build tools.
+_BUILT = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache", ".pytest_cache"}
+
+
+#: What a difference is where mipgen did not write the file: it is in the way, or not.
+OTHERS = ("foreign", "untracked")
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    path: str
+    what: str  # "missing", "changed", "stale", or one of OTHERS
+
+
+def admit(path: str, made: Collection[str], place: str) -> None:
+    """Raises Failure if a target may not add this file to those that it has made."""
+    plain = PurePosixPath(path)
+    if plain.is_absolute() or ".." in plain.parts:
+        raise Failure(f"{path} is outside of its folder", place)
+    if str(plain) != path or path == "." or "\\" in path or not path.isprintable():
+        raise Failure(f"{path!r} is no path of a file; write names with / between them", place)
+    if path in made or path == MANIFEST:
+        raise Failure(f"{path} is made twice", place)
+
+
+def finished(made: Mapping[str, bytes], place: str) -> dict[str, bytes]:
+    """All files of a target, with the manifest."""
+    both = sorted(made.keys() & _parents(made))
+    if both:
+        raise Failure(f"{both[0]} is a file and a folder", place)
+    return {**made, MANIFEST: manifest(made)}
+
+
+def manifest(paths: Iterable[str]) -> bytes:
+    return "".join(f"{line}\n" for line in (HEADER, *sorted(paths))).encode("utf-8")
+
+
+def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
+    """How a folder differs from what it should hold."""
+    ours = _ours(folder)
+    known = ours | made.keys()
+    parents = ((p, folder / p) for p in sorted(_parents(made)))
+    found = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
+    for p in sorted(made):
+        path = folder / p
+        if not os.path.lexists(path):
+            found.append(Difference(p, "missing"))
+        elif not path.is_file() or path.read_bytes() != made[p]:
+            found.append(Difference(p, "changed" if p in ours and _plain(path) else "foreign"))
+    for p in sorted(_present(folder, known) - made.keys()):
+        stale = _PART.sub("", p) in known and _plain(folder / p)
+        found.append(Difference(p, "stale" if stale else "untracked"))
+    return found
+
+
+def write(made: Mapping[str, bytes], folder: Path, found: Sequence[Difference] | None = None) -> list[Difference]:
+    """Makes the folder hold these files, also in place of foreign ones; untracked ones are kept.
+
+    `found`: how it differs, if that is known.
+    """
+    found = [d for d in (compare(made, folder) if found is None else found) if d.what != "untracked"]
+    ours = _ours(folder)
+    if not made.keys() <= ours:  # before these files, so that it is known who wrote them
+        _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
+    for d in found:
+        if d.what == "stale":
+            (folder / d.path).unlink(missing_ok=True)  # gone is the part of an earlier process with our number
+    for parent in sorted(_parents(ours) - _parents(made), reverse=True):
+        with contextlib.suppress(OSError):  # it is not empty, or gone
+            (folder / parent).rmdir()
+    for d in found:
+        if d.path in made:
+            _put(folder / d.path, made[d.path])
+    return found
+
+
+def unfinished(made: Collection[str], folder: Path) -> bool:
+    """Was a run interrupted while it wrote one of these files?"""
+    return any(_PART.search(p) and _PART.sub("", p) in made for p in _present(folder, made))
+
+
+def _put(path: Path, data: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    part.write_bytes(data)
+    part.replace(path)
+
+
+def _plain(path: Path) -> bool:
+    return path.is_file() and not path.is_symlink()
+
+
+def _ours(folder: Path) -> set[str]:
+    """The files that mipgen wrote, also those that are gone."""
+    path = folder / MANIFEST
+    lines = path.read_text("utf-8", "replace").splitlines() if path.is_file() else []
+    return {MANIFEST, *lines[1:]} if lines[:1] == [HEADER] else set()
+
+
+def _parents(paths: Iterable[str]) -> set[str]:
+    """The folders above these paths; "" is the outermost one."""
+    found: set[str] = set()
+    for p in paths:
+        while (p := os.path.dirname(p)) not in found:
+            found.add(p)
+    return found
+
+
+def _present(folder: Path, known: Iterable[str]) -> set[str]:
+    """The files of a folder, without those in folders of build tools where none is known."""
+    found: set[str] = set()
+    wanted = _parents(known)
+    for place, folders, files in os.walk(folder):
+        under = "".join(f"{part}/" for part in Path(place).relative_to(folder).parts)
+        folders[:] = [f for f in folders if under + f in wanted or not (f in _BUILT or f.endswith(".egg-info"))]
+        found.update(under + f for f in files)
+    return found

@@ -1,0 +1,46 @@
+"""The names of a package: how the output of one specification is distinguished from that of another.
+
+Templates and runtimes are written for the package `mip`, so that they are ordinary source. The output of a
+specification with another `package` is the same with the names of that package: `probe_parser_init` in place of
+`mip_parser_init`, `probe_protocol` of `mip_protocol`. `resolve` keeps names of the specification apart from these.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+#: Names in source: `mip_parser`, `MIP_OK`, `-DMIP_SHARED`, `mip_protocol`, `mip-protocol`, `mip/core.h`. The programs
+#: in tools/ work with any package and keep their names.
+_NAMES = (
+    r"(?:\b|(?<=-D))(?:mip_(?!tools\b)|MIP_(?!PACKAGE\b|WORKBENCH\b)|mip-(?=protocol\b)|mip(?=/\w+\.h\b|::mip\b)"
+    r"|(?<=mip::)mip\b)"
+)
+#: The name alone, where it is that of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.
+_ALONE = r"(?:\b|(?<=-I)|(?<=-l)|(?<=\blib))mip(?!-tools\b)(?=\b|Config|Targets)|\bMip\b|(?<=CONFIG_)MIP\b"
+
+_IN_SOURCE = re.compile(_NAMES)
+_EVERYWHERE = re.compile(f"{_NAMES}|{_ALONE}")
+
+
+def in_source(text: str, package: str) -> str:
+    """
+    >>> in_source("mip_protocol.mip_3dm, mip-protocol, MIP_OK, <mip/core.h>, mip_tools, mipgen, mip send", "a_b")
+    'a_b_protocol.a_b_3dm, a-b-protocol, A_B_OK, <a_b/core.h>, mip_tools, mipgen, mip send'
+    """
+    return _IN_SOURCE.sub(_for(package), text)
+
+
+def everywhere(text: str, package: str) -> str:
+    """
+    >>> everywhere("mip::mip, -lmip, libmip.a, mipConfig, from mip import Mip, CONFIG_MIP, MIP packets", "a_b")
+    'a_b::a_b, -la_b, liba_b.a, a_bConfig, from a_b import AB, CONFIG_A_B, MIP packets'
+    """
+    return _EVERYWHERE.sub(_for(package), text)
+
+
+def _for(package: str) -> Callable[[re.Match[str]], str]:
+    forms = {"mip": package, "mip_": f"{package}_", "mip-": f"{package.replace('_', '-')}-"}
+    forms |= {"MIP": package.upper(), "MIP_": f"{package.upper()}_"}
+    forms["Mip"] = "".join(word.capitalize() for word in package.split("_"))
+    return lambda match: forms[match[0]]

@@ -1,0 +1,81 @@
+"""Remembers the output of each input, so that a run with nothing to do is fast.
+
+It compares contents: a key of the whole input, and digests of the output. If one byte of either
+differs, everything is made again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from mipgen.base import cache, fingerprint
+
+from . import output
+
+TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
+
+
+def key(folders: Sequence[Path], *options: str) -> str | None:
+    """A key of the program, its options and all files below these folders; None if there is too much."""
+    parts: list[bytes | str] = [fingerprint.program(), repr(options)]
+    size = 0
+    for folder in folders:
+        parts.append("folder")
+        for path, data in _files(folder):
+            size += len(data)
+            if size > TOO_MUCH:
+                return None
+            parts += [path, data]
+    return cache.key(*parts)
+
+
+def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mapping[str, bytes]]]) -> None:
+    """Remembers the output: target -> its title and its files."""
+    if name is not None:
+        targets = {
+            target: {"title": title, "files": {path: _digest(data) for path, data in files.items()}}
+            for target, (title, files) in made.items()
+        }
+        cache.put("made", {name: json.dumps({"summary": summary, "targets": targets}).encode("utf-8")})
+
+
+def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
+    """The output of this input, if all files exist unchanged, and none that is half-written."""
+    data = None if name is None else cache.get("made", name)
+    if data is None:
+        return None
+    found: dict[str, Any] = json.loads(data)
+    for target, made in found["targets"].items():
+        folder = (out or Path()) / target
+        try:
+            for path, digest in made["files"].items():
+                if (
+                    not (folder / path).is_file() or _digest((folder / path).read_bytes()) != digest
+                ):  # a pipe never ends
+                    return None
+        except OSError:
+            return None
+        if output.unfinished(made["files"], folder):
+            return None
+    return found
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
+    """All files below a folder, in order, without hidden ones."""
+    for place, folders, files in os.walk(folder):
+        folders[:] = sorted(f for f in folders if f[0] != ".")
+        for file in sorted(f for f in files if f[0] != "."):
+            path = Path(place, file)
+            try:
+                yield path.relative_to(folder).as_posix(), path.read_bytes()
+            except OSError:
+                yield path.relative_to(folder).as_posix(), b"unreadable"

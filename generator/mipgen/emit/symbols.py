@@ -1,0 +1,58 @@
+"""What bindings call the parts of a model: for indexes of symbols, and for tools that write programs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from mipgen import model as m
+
+
+@dataclass(frozen=True, slots=True)
+class Symbols:
+    """The type of a field, or a type, in a language; and what belongs to it: functions, constants."""
+
+    thing: m.Type | m.Field
+    name: str
+    others: tuple[str, ...]
+
+
+def things(model: m.Model) -> Iterator[m.Type | m.Field]:
+    """Types and fields, those of the protocol first, then set by set."""
+    protocol = (model.protocol.function_selector, *model.types, model.protocol.acknowledge)
+    for group in (protocol, *((*x.types, *x.fields) for x in model.families)):
+        yield from sorted(group, key=lambda x: x.name)
+
+
+# --------------------------------------------------------------------------- words that programs need
+
+Record = m.Field | m.Struct
+
+
+def records(model: m.Model) -> list[Record]:
+    return [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
+
+
+def parameters(model: m.Model) -> list[str]:
+    """The names of all parameters, those of unions too."""
+    found = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
+    return sorted({q.name for q in found})
+
+
+def constants(model: m.Model) -> list[str]:
+    """The names of all values and bits."""
+    return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in _parts(t)})
+
+
+def tags(model: m.Model) -> list[str]:
+    """The names of the values that select an alternative of a union."""
+    return sorted({c.tag.name for r in records(model) for p in r.parameters for c in p.cases})
+
+
+def _parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
+    return t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ()
+
+
+def others(names: Iterable[str], of: Callable[[str], str], usual: Callable[[str], str] = str) -> dict[str, str]:
+    """The names that a language writes in another way than is usual."""
+    return {name: of(name) for name in names if of(name) != usual(name)}

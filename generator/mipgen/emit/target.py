@@ -1,0 +1,123 @@
+"""What the author of a target writes: a `Target`, the files that it makes, and the names that it defines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from typing import TYPE_CHECKING, Any
+
+from .formatting import Formatter
+from .naming import Grammar, Identifier
+
+if TYPE_CHECKING:
+    from mipgen.model import Model
+
+__all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget"]
+
+#: What the driver of a target may offer.
+OPERATIONS = ("parse", "decode", "encode", "client", "live")
+
+
+class WrongTarget(ValueError):
+    """A Target with something that it cannot have, or without something that it needs."""
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """One file to make: its path, its template, and the template's variables."""
+
+    path: str
+    template: str
+    context: Mapping[str, Any] = field(default_factory=dict)
+
+
+def _no_filters(_: Model) -> Mapping[str, Callable[..., Any]]:
+    return {}
+
+
+def _no_identifiers(_: Model) -> Iterable[Identifier]:
+    return ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Target:
+    """A language, a format or a document that is made of a specification. `TARGET` of its module is one."""
+
+    #: What it is, in few words: "C99". `mipgen generate` shows it.
+    title: str
+    #: Yields the files to make.
+    files: Callable[[Model], Iterable[File]]
+    #: The filters of its templates, by name: names in the case of the language, literals, comments.
+    filters: Callable[[Model], Mapping[str, Callable[..., Any]]] = _no_filters
+    #: Yields every name that the output defines, with its scope, so that names which cannot be are found before
+    #: anything is written.
+    identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
+    #: Which of these names the language accepts; without it, any.
+    grammar: Grammar | None = None
+    #: Formats the output, so that templates need not care where lines break.
+    formatter: Formatter | None = None
+    #: Puts the names of a package into a text that is written for the package `mip`; see `package`.
+    rename: Callable[[str, str], str] | None = None
+    #: Does it take longer than most? Then it is begun first.
+    slow: bool = False
+    #: The operations that its conformance driver offers; empty if it has no driver.
+    conformance: tuple[str, ...] = ()
+    #: What the driver needs besides Python, a C compiler and cargo, in few words; then `make test-all` tests it.
+    needs: str = ""
+    #: The program that runs the driver, if it is another one: "node". The driver is tested where the program is.
+    program: str = ""
+
+    def __new__(cls, *positional: object, **given: object) -> Target:
+        """What is given by the wrong name is said in words before Python says it."""
+        known = {f.name: f.default is MISSING for f in fields(cls)}
+        for name in given:
+            if name not in known:
+                raise WrongTarget(f"a Target has no '{name}'; it may have {', '.join(known)}")
+        missing = [name for name, needed in known.items() if needed and name not in given]
+        if missing or positional:
+            raise WrongTarget("a Target needs title and files, by name: Target(title=..., files=..., ...)")
+        return object.__new__(cls)
+
+    def __post_init__(self) -> None:
+        for name, (right, what) in _RIGHT.items():
+            value = getattr(self, name)
+            if not right(value):
+                raise WrongTarget(f"{name} must be {what}, not {value!r}")
+
+    def renaming(self, package: str) -> Callable[[str], str] | None:
+        """What puts the names of a package into a text, if they are not there already."""
+        from mipgen.model import OWN_PACKAGE
+
+        rename = self.rename
+        return None if rename is None or package == OWN_PACKAGE else lambda text: rename(text, package)
+
+
+def _optional(kind: type) -> Callable[[object], bool]:
+    return lambda value: value is None or isinstance(value, kind)
+
+
+def _text(value: object) -> bool:
+    return isinstance(value, str)
+
+
+def _operations(value: object) -> bool:
+    return isinstance(value, tuple) and all(operation in OPERATIONS for operation in value)
+
+
+_FUNCTION = "a function that takes the model"
+
+#: What each attribute must be: a test, and in words.
+_RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
+    "title": (lambda value: isinstance(value, str) and bool(re.fullmatch(r"\S.*", value)), "a line of text"),
+    "files": (callable, _FUNCTION),
+    "filters": (callable, _FUNCTION),
+    "identifiers": (callable, _FUNCTION),
+    "grammar": (_optional(Grammar), "a Grammar"),
+    "formatter": (_optional(Formatter), "a Formatter, such as mipgen.emit.formatting.RUFF"),
+    "rename": (lambda value: value is None or callable(value), "a function such as mipgen.emit.package.in_source"),
+    "slow": (lambda value: isinstance(value, bool), "True or False"),
+    "conformance": (_operations, f"a tuple of {', '.join(map(repr, OPERATIONS))}"),
+    "needs": (_text, "text: the tools of the driver, in few words"),
+    "program": (_text, "text: the name of a program that runs the driver"),
+}

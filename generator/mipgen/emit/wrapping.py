@@ -1,0 +1,94 @@
+"""Lines: where a paragraph breaks, and an expression of a programming language."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+#: Other than single spaces between words.
+_UNEVEN = re.compile(r"[\t\n\v\f\r]|^ |  | $")
+
+
+def wrapped(text: str, width: int, hang: str = "") -> list[str]:
+    """The lines of a paragraph; those after the first begin with `hang`. Words are never broken.
+
+    >>> wrapped("one two three", 9, "  "), wrapped("one two", 9), wrapped("", 9)
+    (['one two', '  three'], ['one two'], [])
+    >>> wrapped("one  two", 5), wrapped("eleven a", 5, " "), wrapped("a eleven", 5), wrapped(" a b ", 3)
+    (['one', 'two'], ['eleven', ' a'], ['a', 'eleven'], [' a', 'b'])
+    """
+    if _UNEVEN.search(text) or not text:  # rare, and slow
+        return textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
+    lines: list[str] = []
+    line = text
+    while len(line) > width:
+        start = len(hang) if lines else 0
+        at = line.rfind(" ", start, width + 1) if start <= width else -1
+        at = line.find(" ", start) if at < 0 else at
+        if at < 0:
+            break  # one long word
+        lines.append(line[:at])
+        line = hang + line[at + 1 :]
+    return [*lines, line]
+
+
+@dataclass(frozen=True, slots=True)
+class Brackets:
+    """An expression of a programming language with others in brackets: a call, a list, a structure."""
+
+    head: str  # up to the opening bracket
+    items: Sequence[Expression]
+    tail: str  # from the closing bracket on
+    comma: str = ","  # behind the last item, if each has a line
+    alone: str = ""  # behind the only item, in one line
+
+    def after(self, text: str) -> Brackets:
+        return replace(self, head=text + self.head)
+
+
+#: A text that no line breaks, or brackets.
+Expression: TypeAlias = "str | Brackets"
+
+
+def after(text: str, expression: Expression) -> Expression:
+    """An expression behind a text: `x = [1]`."""
+    return text + expression if isinstance(expression, str) else expression.after(text)
+
+
+def flat(expression: Expression) -> str:
+    """In one line.
+
+    >>> flat(Brackets("f(", ["a", Brackets("[", ["b"], "]")], ")")), flat(Brackets("(", ["a"], ")", alone=","))
+    ('f(a, [b])', '(a,)')
+    """
+    if isinstance(expression, str):
+        return expression
+    alone = expression.alone if len(expression.items) == 1 else ""
+    return f"{expression.head}{', '.join(map(flat, expression.items))}{alone}{expression.tail}"
+
+
+def laid_out(expression: Expression, width: int) -> str:
+    """With a line for each of what is in brackets, if one line is too long.
+
+    >>> inner = Brackets("f(", ["3", "')'"], ")")
+    >>> print(laid_out(Brackets("x = {", [Brackets("{", ["1", "2"], "}"), inner], "};"), 14))
+    x = {
+        {1, 2},
+        f(3, ')'),
+    };
+    >>> print(laid_out(Brackets("g(", [inner], ")", comma=""), 9))
+    g(
+        f(
+            3,
+            ')',
+        )
+    )
+    """
+    line = flat(expression)
+    if len(line) <= width or isinstance(expression, str) or not expression.items:
+        return line
+    each = [laid_out(item, width - 5).replace("\n", "\n    ") for item in expression.items]
+    return "".join([expression.head, "\n    ", ",\n    ".join(each), expression.comma, "\n", expression.tail])

@@ -1,0 +1,37 @@
+"""Numbers of descriptor sets and fields as values of parameters: which set or field such a number means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from mipgen import model as m
+
+
+def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | None:
+    """The number of the set whose field descriptors a parameter holds, with these values beside it."""
+    if p.fields_of in values:
+        number = values[p.fields_of]
+        return number if isinstance(number, int) else None
+    return next((s.number for s in model.sets if s.name == p.fields_of), None)
+
+
+def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
+    """The data set, or the field, that a value of a parameter is the number of, if that is known."""
+    if p.shown == "set":
+        found = model.set(value)
+        return found if found is not None and found.kind == "data" else None
+    if p.shown == "field" and set_number is not None:
+        return next(iter(model.candidates(set_number, value)), None)
+    return None
+
+
+def hexadecimal(p: m.Parameter, value: int) -> str:
+    """A number as people know it.
+
+    >>> p = m.Parameter("a", m.SCALARS["u16"], None, m.ScalarOp("a", m.SCALARS["u16"], None, 2))
+    >>> hexadecimal(p, 0x1F)
+    '0x001F'
+    """
+    size = p.element.size if isinstance(p.element, m.Scalar) else 1
+    return f"0x{value:0{2 * size}X}"

@@ -1,0 +1,119 @@
+"""What is said about fields: how they are exchanged, which devices have them, what limits them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from mipgen import model as m
+
+from .remarks import remarks
+from .texts import Fact, Ref, Text, device_ref, fact, field_ref, functions, joined, number, prose
+
+
+def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """The facts about a field besides its description."""
+    yield from _status(f, model)
+    yield from _exchange(f, model)
+    yield from _conditions(f, model)
+    yield from _limits(f)
+    yield from _devices(f, model)
+    yield from _evidence(f, model)
+    yield from remarks(f, model)
+
+
+def _status(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    if f.deprecated:
+        yield fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}.")
+    if f.advanced:
+        yield fact("advanced", (), "For advanced use.")
+    if len(f.occurrences) > 1:
+        sets = [s for s in model.sets if s.number in f.sets]
+        yield fact("sets", joined([(Ref(s, f"{s.name} (0x{s.number:02X})"),) for s in sets]), "Occurs in {}.")
+    if f.also:
+        yield fact("also", joined([(f"`{name}`",) for name in f.also]), "Also called {}.")
+
+
+def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """What it asks for, and what it answers."""
+    if f.functions:
+        yield fact("functions", functions(f.functions), "Functions: {}.")
+    if f.responses:
+        yield fact("responses", joined([(field_ref(r),) for r in model.responses(f)], "or"), "Answered by {}.")
+    if f.role == m.RESPONSE and model.commands(f):
+        yield fact("commands", joined([(field_ref(c),) for c in model.commands(f)]), "Answers {}.")
+    others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
+    if others:
+        names = joined([(field_ref(g),) for g in others])
+        yield fact("layout", names, "Distinguished from {} by the size of its data.")
+
+
+def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """When it is sent, and when nothing acknowledges it."""
+    if f.when:
+        command = next(c for c in model.commands(f) if c.name == f.command)
+        yield fact("when", conditions(f.when, command), "Sent if {}.")
+    if f.silent_when:
+        yield fact("silent", conditions(f.silent_when, f), "Not acknowledged if {}.")
+    for c in f.silenced_by:
+        yield fact("silent", _setting(c, model), "Not acknowledged if {}.")
+    if f.sent_by == "device":
+        yield fact("sent_by", (), "Sent by the device; the host answers.")
+
+
+def _limits(f: m.Field) -> Iterator[Fact]:
+    if f.timeout:
+        yield fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer.")
+    if f.max_rate:
+        yield fact("max_rate", (f"{number(f.max_rate)} Hz",), "Maximum rate: {}.")
+
+
+def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """Which devices have it, and what differs there."""
+    certain, perhaps = model.devices_of(f), model.devices_of(f, certain=False)
+    if certain:
+        yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
+    if perhaps:
+        yield fact("perhaps", joined([(device_ref(d),) for d in perhaps]), "May be supported by {}.")
+    if model.devices and f.role != m.RESPONSE and not certain and not perhaps:
+        yield fact("devices", (), "Not listed in any device profile.")
+    yield from (_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated)
+    yield from (_support(d, s) for d, s in model.supports(f) if s.differs)
+
+
+def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """Where no manual describes it: what else knows it."""
+    names = {s.manual for s in f.sources}
+    cited = [x for x in model.protocol.manuals if x.id in names]
+    if cited and all(x.kind == "sdk" for x in cited):
+        yield fact("evidence", joined([(Ref(x, x.title),) for x in cited]), "Known only from the {}.")
+
+
+def _support(d: m.Device, s: m.Support) -> Fact:
+    taken = functions(s.functions)
+    return Fact("support", taken, ("On the ", device_ref(d), ": ", *taken, " only."))
+
+
+def _deprecation(d: m.Device, instead: str, model: m.Model) -> Fact:
+    text = prose(instead.rstrip("."), model)
+    return Fact("deprecation", text, ("Deprecated on the ", device_ref(d), ": ", *text, "."))
+
+
+def conditions(of: Sequence[m.Condition], command: m.Field) -> Text:
+    """Parameters of a command that have certain values."""
+    return joined([condition(c, command) for c in of])
+
+
+def condition(c: m.Condition, command: m.Field) -> Text:
+    p = next(p for p in command.parameters if p.name == c.parameter)
+    known = p.element.by_name(c.label) if isinstance(p.element, m.Enum) else None
+    value: str | Ref = Ref(known, known.name, p.element) if known and isinstance(p.element, m.Enum) else c.label
+    return (Ref(p, p.name, command), " is ", value)
+
+
+def _setting(c: m.Condition, model: m.Model) -> Text:
+    """The setting of another command, which a part of a specification may lack."""
+    command = model.field(c.command or "")
+    if command is None:
+        return (f"{c.parameter} of {c.command} is {c.label}",)
+    parameter, *rest = condition(c, command)
+    return (parameter, " of ", field_ref(command), *rest)

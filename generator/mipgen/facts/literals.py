@@ -1,0 +1,174 @@
+"""Values as programs write them, in whatever language: with the names that enumerations and bits have."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import ROUND_HALF_UP, Context
+from typing import Any, TypeAlias
+
+from mipgen import model as m
+
+from .descriptors import hexadecimal
+
+
+@dataclass(frozen=True, slots=True)
+class Decimal:
+    """A floating-point number."""
+
+    text: str  # the shortest that has its bits; it has a point or an exponent
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    byte: int  # 0 or 1, or another that is true, too
+
+    @property
+    def value(self) -> bool:
+        return bool(self.byte)
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    text: str  # in the form that people know
+    value: int
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """A value of an enumeration."""
+
+    type: m.Enum
+    number: Whole
+    known: m.EnumValue | None
+
+
+@dataclass(frozen=True, slots=True)
+class Flags:
+    """A bitfield in a number."""
+
+    type: m.Bitfield
+    number: Whole
+    names: tuple[m.Bits, ...]  # the flags that make it up; none if it has other bits, or numbers, too
+
+
+@dataclass(frozen=True, slots=True)
+class Octets:
+    """A bitfield in bytes, least significant byte first."""
+
+    type: m.Bitfield
+    bytes: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    text: str
+    count: int | None  # of characters, if it is always the same
+
+
+@dataclass(frozen=True, slots=True)
+class Items:
+    """An array, or a vector."""
+
+    items: tuple[Literal, ...]
+    vector: m.Vector | None
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """A structure, with what it holds by the names of its parameters."""
+
+    type: m.Struct
+    members: dict[str, Literal]
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """A union with one of its cases."""
+
+    union: m.SwitchOp
+    case: m.Case | None  # None: its tag is one that the specification does not know
+    value: Literal | None  # None: it is empty
+
+
+Literal: TypeAlias = "Decimal | Truth | Whole | Choice | Flags | Octets | Text | Items | Structure | Alternative"
+
+
+def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> dict[str, Literal]:
+    """What there is of some parameters, in wire order."""
+    return {p.name: literal(p, values[p.name]) for p in parameters if p.constant is None and p.name in values}
+
+
+def literal(p: m.Parameter, value: Any, op: m.Operation | None = None) -> Literal:
+    """A value of a parameter in the form of the codec, or that of an item of its array."""
+    op = op or p.operation
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return _number(p, op.scalar, op.named, value)
+        case m.BitsOp():
+            return Octets(op.type, tuple(value))
+        case m.TextOp():
+            return Text(value, op.count)
+        case m.ArrayOp():
+            return Items(tuple(literal(p, v, op.item) for v in value), op.vector)
+        case m.StructOp():
+            return Structure(op.struct, record(op.struct.parameters, value))
+        case m.SwitchOp():
+            return _alternative(op, value)
+    raise AssertionError(op)
+
+
+def _alternative(op: m.SwitchOp, value: Mapping[str, Any]) -> Alternative:
+    for case in op.cases:
+        if case.parameter is not None and case.parameter.name in value:
+            return Alternative(op, case, literal(case.parameter, value[case.parameter.name]))
+    return Alternative(op, next((c for c in op.cases if c.parameter is None), None), None)
+
+
+def _number(p: m.Parameter, scalar: m.Scalar, named: m.Enum | m.Bitfield | None, value: Any) -> Literal:
+    if scalar.kind == "float":
+        return Decimal(decimal(value), scalar.size)
+    if scalar.kind == "bool":
+        return Truth(value)
+    number = Whole(hexadecimal(p, value) if p.shown and value >= 0 else str(value), value, scalar.size)
+    if isinstance(named, m.Enum):
+        return Choice(named, number, next((v for v in named.values if v.value == value), None))
+    if isinstance(named, m.Bitfield):
+        return Flags(named, number, flags(named, value))
+    return number
+
+
+def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
+    """The flags that make up a value; none if it has other bits, or numbers, too.
+
+    >>> t = m.Bitfield("b", m.SCALARS["u8"], 1, (m.Bits("a", 0, 0, "", False), m.Bits("n", 1, 2, "", False)), "", None)
+    >>> [b.name for b in flags(t, 1)], flags(t, 3), flags(t, 128)
+    (['a'], (), ())
+    """
+    named = tuple(b for b in t.bits if b.width == 1 and not b.alias and value & b.mask)
+    return named if sum(b.mask for b in named) == value else ()
+
+
+def decimal(bits: str) -> str:
+    """The shortest decimal that has the bits of a finite number; it has a point or an exponent.
+
+    >>> decimal("0x3dcccccd"), decimal("0x42480000"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
+    ('0.1', '50.0', '1.0', '1e+30')
+    >>> decimal("0xca5f4ab5")  # -3658413.25
+    '-3658413.3'
+    """
+    raw = bytes.fromhex(bits[2:])
+    form = ">f" if len(raw) == 4 else ">d"
+    (value,) = struct.unpack(form, raw)
+    for digits in range(1, 18):
+        # Of two that are as near, the larger, as JavaScript rounds: the workbench writes the same programs.
+        short = float(Context(prec=digits, rounding=ROUND_HALF_UP).create_decimal_from_float(value))
+        try:
+            if struct.pack(form, short) == raw:
+                return repr(short)
+        except OverflowError:
+            continue
+    raise AssertionError(bits)

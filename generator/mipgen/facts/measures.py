@@ -1,0 +1,91 @@
+"""What is said about values: elements, unit, frame, range, default, and what says that they are valid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from mipgen import model as m
+
+from . import descriptors
+from .texts import Fact, Record, Ref, Text, fact, interleaved, joined, number
+
+
+def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
+    """Elements, unit, frame, range and default: of a parameter, or of a variant of it."""
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    elements = of.elements if isinstance(of, m.Variant) else own
+    if elements:
+        yield fact("elements", (", ".join(elements),), "Elements: {}.")
+    if of.units:
+        yield fact("unit", (", ".join(of.units),), "Unit: {}." if len(of.units) == 1 else "Units: {}.")
+    if of.frame:
+        word = next(w for w in model.protocol.frames if w.symbol == of.frame)
+        yield fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
+    above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
+    bounds = limits(of.minimum, of.maximum, above, below, lambda x: numeral(p, x))
+    if isinstance(of, m.Parameter) and of.magnitude != (None, None):
+        bounds = ", ".join(filter(None, (bounds, f"magnitude {limits(*of.magnitude)}")))
+    if bounds:
+        yield fact("range", (bounds,), "Range: {}.")
+    if of.default is not None:
+        yield fact("default", default(of.default, p), "Default: {}.")
+
+
+Bound = float | int | None
+
+
+def limits(
+    low: Bound, high: Bound, above: Bound = None, below: Bound = None, text: Callable[[float | int], str] | None = None
+) -> str:
+    """Bounds in words; a value may be `low` and `high` themselves, but neither `above` nor `below`.
+
+    >>> limits(1, 2.5), limits(0, None), limits(None, 10)
+    ('1 to 2.5', 'at least 0', 'at most 10')
+    >>> limits(None, 10, above=0), limits(None, None, below=1)
+    ('greater than 0, at most 10', 'less than 1')
+    """
+    text = text or number
+    if low is not None and high is not None:
+        return f"{text(low)} to {text(high)}"
+    words = (("at least", low), ("greater than", above), ("at most", high), ("less than", below))
+    return ", ".join(f"{word} {text(bound)}" for word, bound in words if bound is not None)
+
+
+def numeral(p: m.Parameter, value: float | int) -> str:
+    """A number of a parameter, in the form that people know."""
+    return descriptors.hexadecimal(p, int(value)) if p.shown else number(value)
+
+
+def default(value: object, p: m.Parameter) -> Text:
+    """A factory default, with the names of values and bits."""
+    if isinstance(value, bool):
+        return (str(value).lower(),)
+    if isinstance(value, str):
+        known = p.element.by_name(value) if isinstance(p.element, m.Enum) else None
+        return (Ref(known, value, p.element),) if known and isinstance(p.element, m.Enum) else (f'"{value}"',)
+    if isinstance(value, (list, tuple)):
+        if isinstance(p.element, m.Bitfield) and all(isinstance(v, str) for v in value):
+            bits = {b.name: b for b in p.element.bits}
+            return joined([(Ref(bits[name], name, p.element),) for name in value]) if value else ("0",)
+        return interleaved([default(v, p) for v in value], ", ")
+    return (numeral(p, value) if isinstance(value, (int, float)) else str(value),)
+
+
+def validity(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str | None = None) -> Fact:
+    """The bit that says that a value is valid, or one for each element."""
+    refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
+    if len(refs) == 1:
+        return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
+    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(paths))))
+    each = [(f"{name}: ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
+    return fact("valid", interleaved(each, ", "), "Each element has its own valid flag. {}.")
+
+
+def _bit(path: str, record: Record, device: str | None) -> Ref:
+    """A bit of a sibling, by the type that it has on a device."""
+    name, _, bit = path.partition(".")
+    flags = next(q for q in record.parameters if q.name == name)
+    own = (v.type for v in flags.readings if v.by_device and v.key == device)
+    e = next(own, None) or flags.element
+    known = next((b for b in e.bits if b.name == bit), None) if isinstance(e, m.Bitfield) else None
+    return Ref(known, path, e) if known and isinstance(e, m.Bitfield) else Ref(flags, path, record)

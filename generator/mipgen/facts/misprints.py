@@ -1,0 +1,29 @@
+"""How the bytes that a manual prints differ from the right ones."""
+
+from __future__ import annotations
+
+from mipgen import model as m
+
+
+def differences(e: m.Example) -> list[str]:
+    """How the bytes of an example in the manual differ from the correct ones."""
+    right = e.packet[4:-2] if e.role == "field" else e.packet
+    found = []
+    if e.string is not None:
+        digits = "".join(e.string.split())
+        if len(digits) % 2:
+            found.append(f"string has an odd number of digits, {len(digits)}")
+        elif bytes.fromhex(digits) != right:
+            found.append(f"string {_where(tuple(bytes.fromhex(digits)), right)}")
+    if e.table is not None and (
+        len(e.table) != len(right) or any(a is not None and a != b for a, b in zip(e.table, right, strict=False))
+    ):
+        found.append(f"table {_where(e.table, right)}")
+    return found
+
+
+def _where(printed: tuple[int | None, ...], right: bytes) -> str:
+    for i, (a, b) in enumerate(zip(printed, right, strict=False)):
+        if a is not None and a != b:
+            return f"byte {i} is {a:02X}, should be {b:02X}"
+    return f"has {len(printed)} bytes, should have {len(right)}"

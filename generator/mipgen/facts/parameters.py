@@ -1,0 +1,62 @@
+"""What is said about parameters: what they refer to, when they are there, what they measure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mipgen import model as m
+
+from .measures import measures, numeral, validity
+from .remarks import remarks
+from .texts import Fact, Record, Ref, fact, functions
+from .variants import variants
+
+
+def facts(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
+    """The facts about a parameter, or the parameter of a union's case, besides its description."""
+    beside = {q.name: q for q in record.parameters}
+    found: list[Fact] = []
+    if p.deprecated:
+        found.append(fact("deprecated", (), "Deprecated."))
+    if p.constant is not None:
+        found.append(fact("constant", (numeral(p, p.constant),), "Always {}."))
+    if p.reserved is not None:
+        sent = not isinstance(record, m.Field) or record.role == m.COMMAND
+        value = (str(p.reserved),) if sent else ()
+        found.append(fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
+    if p.counts:
+        found.append(fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
+    if p.tag:
+        found.append(fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
+    if p.fields_of:
+        found.append(fact("fields_of", (_owner(p, beside, record, model),), "Refers to fields of {}."))
+    found += measures(p, p, model)
+    if p.valid:
+        found.append(validity(p.valid, p, record))
+    found += _presence(p, record)
+    found += [said for _, said in variants(p, record, model)]
+    return [*found, *remarks(p, model)]
+
+
+def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: Record, model: m.Model) -> str | Ref:
+    """The set whose field descriptors a parameter holds, which a part of a specification may lack."""
+    if p.fields_of in beside:
+        return Ref(beside[p.fields_of], p.fields_of, record)
+    found = next((s for s in model.sets if s.name == p.fields_of), None)
+    return Ref(found, found.title) if found else p.fields_of
+
+
+def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
+    """When it may be left out."""
+    if p.optional:
+        yield fact("optional", (), "Optional.")
+    elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):
+        yield fact("required", functions(p.required_for), "Required for {}.")
+
+
+def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
+    """When a union has one of its alternatives."""
+    tag = next(q for q in record.parameters if q.name == union.tag)
+    assert isinstance(tag.element, m.Enum)
+    value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))
+    return fact("case", value, "If {}." if c.parameter else "Empty if {}.")

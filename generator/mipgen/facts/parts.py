@@ -1,0 +1,35 @@
+"""What is said about types and their parts."""
+
+from __future__ import annotations
+
+from mipgen import model as m
+
+from .remarks import uncertain
+from .texts import Fact, Ref, fact
+
+
+def bits_place(b: m.Bits) -> str:
+    """
+    >>> bits_place(m.Bits("a", 3, 3, "", False)), bits_place(m.Bits("b", 4, 7, "", False))
+    ('bit 3', 'bits 4 to 7')
+    """
+    return f"bit {b.first}" if b.width == 1 else f"bits {b.first} to {b.last}"
+
+
+def type(t: m.Type, model: m.Model) -> list[Fact]:
+    """The facts about a type besides its description."""
+    return uncertain(t, model)
+
+
+def bits(b: m.Bits, model: m.Model) -> list[Fact]:
+    place = bits_place(b)
+    found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
+    if b.enum is not None:
+        found.append(fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
+    if b.alias:
+        found.append(fact("alias", (), "Overlaps other bits."))
+    return found + uncertain(b, model)
+
+
+def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
+    return [*([fact("deprecated", (), "Deprecated.")] if v.deprecated else []), *uncertain(v, model)]

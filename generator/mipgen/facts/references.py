@@ -1,0 +1,157 @@
+"""What texts of a specification name: fields, types and other names in backticks, descriptors in quotations only.
+
+A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` makes
+references of these. Other names in backticks are those of parameters, values and the like. Descriptors, as in
+(0x0C,0x28), are the way of the manuals, and only what quotes a manual has them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+#: Keys with texts for readers, and those with quotations of a manual.
+PROSE = (
+    "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text", "question",
+    "answer", "why", "before", "on_event",
+)  # fmt: skip
+QUOTATIONS = ("printed", "right")
+
+DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")
+
+_CODE = re.compile(r"`([^`]*)`")
+_NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)?")
+_COMMAND = re.compile(r"((?:[^\s.,;:]+\s+){1,8})commands?\b", re.IGNORECASE)
+_REPLY = re.compile(r"\b(?:answer|reply|response)s? (?:of|to) (?:the )?((?:[^\s.,;:]+[\s.,;:]*){1,8})", re.IGNORECASE)
+_BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.\w+(?![\w*])")
+
+
+def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
+    """Reports what is named in another way, or does not exist."""
+    names = _Names(model, problems.add)
+    for root in roots:
+        names.inside(root)
+
+
+@dataclass(frozen=True)
+class _Names:
+    model: m.Model
+    problem: Callable[[m.Position, str], None]
+
+    def inside(self, node: Node) -> None:
+        if isinstance(node.value, list):
+            for item in node:
+                self.inside(item)
+        elif isinstance(node.value, dict):
+            for key, entry in node.items():
+                if key in PROSE:
+                    for text in _texts(entry):
+                        self.prose(text)
+                elif key in QUOTATIONS:
+                    for text in _texts(entry):
+                        self.quotation(text, node)
+                if not isinstance(entry.value, str):
+                    self.inside(entry)
+
+    # ----------------------------------------------------------------------- texts
+
+    def prose(self, node: Node) -> None:
+        for name in _CODE.findall(node.value):
+            if _NAME.fullmatch(name):
+                self.name(name, node.position)
+        plain = _CODE.sub("", node.value)
+        for found in DESCRIPTOR.finditer(plain):
+            known = [f"`{f.full_name}`" for f in self.fields(found)]
+            remedy = f"write {' or '.join(known)}" if known else "no field has this one, so say it in words"
+            self.problem(node.position, f"a text names a field, not its descriptor {found[0]}; {remedy}")
+        for found in _BARE.finditer(plain):
+            if "_" in found[0] or self.known(found[0]):
+                self.problem(node.position, f"'{found[0]}' is a name; put it in backticks: `{found[0]}`")
+
+        for title in self.titled(plain):
+            names = " or ".join(f"`{name}`" for name in self.titles[title.lower()])
+            self.problem(node.position, f"'{title}' is the title of a command; write {names}")
+
+    def titled(self, text: str) -> Iterator[str]:
+        """Commands that are named by their titles, as "the device reset command" or "the reply to device reset"."""
+        lower = text.lower()
+        for found in _COMMAND.finditer(text) if "command" in lower else ():  # most texts have none: this is slow
+            words = found[1].split()
+            tails = (" ".join(words[at:]) for at in range(len(words)))
+            yield from islice((x for x in tails if x.lower() in self.titles), 1)
+        for found in _REPLY.finditer(text) if " to " in lower or " of " in lower else ():
+            words = [word.rstrip(".,;:") for word in found[1].split()]
+            heads = (" ".join(words[:end]) for end in range(len(words), 0, -1))
+            yield from islice((x for x in heads if x.lower() in self.titles), 1)
+
+    def quotation(self, node: Node, erratum: Node) -> None:
+        """Descriptors that do not exist may be quoted where an erratum says that they do not."""
+        claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
+        for found in DESCRIPTOR.finditer(node.value):
+            subject = f"0x{found['set'].upper()},0x{found['descriptor'].upper()}"
+            if subject not in claims and not self.fields(found):
+                self.problem(node.position, f'no field has {found[0]}; claim it: claims: [reference: "{subject}"]')
+
+    def name(self, name: str, place: m.Position) -> None:
+        if self.known(name):
+            return
+        if "." in name:
+            self.problem(place, f"no field or type '{name}'{nearest(name, self.full_names)}")
+        elif name not in self.words:
+            whole = sorted(f"`{x}`" for x in self.full_names if x.endswith(f".{name}"))
+            remedy = f"; write {' or '.join(whole)}" if whole else nearest(name, self.words)
+            self.problem(place, f"no parameter, value or bit is called '{name}'{remedy}")
+
+    # ----------------------------------------------------------------------- what there is
+
+    def fields(self, found: re.Match[str]) -> tuple[m.Field, ...]:
+        return self.model.candidates(int(found["set"], 16), int(found["descriptor"], 16))
+
+    def known(self, name: str) -> bool:
+        """Is it the name of a field or a type, or of a descriptor without a layout?"""
+        return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
+
+    @cached_property
+    def titles(self) -> dict[str, list[str]]:
+        """The titles of commands, and their names in words -> full names."""
+        found: dict[str, list[str]] = {}
+        for f in self.model.fields:
+            if f.role == m.COMMAND:
+                for words in {f.title.lower(), *(name.replace("_", " ") for name in (f.name, *f.also))}:
+                    found.setdefault(words, []).append(f.full_name)
+        return found
+
+    @cached_property
+    def full_names(self) -> set[str]:
+        types = {f"{x.name}.{t.name}" for x in self.model.families for t in x.types}
+        named = {f"{s.name}.{n.name}" for x in self.model.families for s in x.sets for n in x.named}
+        return {*self.model.names, *types, *named}
+
+    @cached_property
+    def words(self) -> set[str]:
+        """Names without a set: of parameters, values and bits, of sets, functions, frames and devices."""
+        protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
+        records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
+        records += [t for t in types if isinstance(t, m.Struct)]
+        found = {q.name for r in records for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q}
+        found |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
+        found |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
+        found |= {s.name for s in self.model.sets} | {x.name for x in self.model.families}
+        found |= {t.name for t in self.model.types}
+        return found | {w.symbol for w in protocol.frames} | {d.name for d in self.model.devices}
+
+
+def _texts(node: Node) -> Iterator[Node]:
+    if isinstance(node.value, str):
+        yield node
+    elif isinstance(node.value, list):
+        yield from (item for item in node if isinstance(item.value, str))
+    elif isinstance(node.value, dict):
+        yield from (item for item in node.value.values() if isinstance(item.value, str))

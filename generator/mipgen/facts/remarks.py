@@ -1,0 +1,28 @@
+"""Facts in the author's words: notes, what is not sure, and where manuals say it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mipgen import model as m
+
+from .texts import Fact, fact, prose
+
+
+def remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
+    """Facts in the author's words: notes, and what is uncertain."""
+    yield from (fact("note", prose(note, model), "{}") for note in of.notes)
+    yield from uncertain(of, model)
+
+
+Doubtful = m.Field | m.Family | m.Set | m.Occurrence | m.Parameter | m.Type | m.EnumValue | m.Bits | m.Device
+
+
+def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
+    """What is not sure, each with what is known and what is inferred."""
+    return [fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
+
+
+def sources(thing: m.Field | m.Occurrence | m.Family | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
+    """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+    return [f"{s.manual}: {s.section}" for s in thing.sources]

@@ -1,0 +1,208 @@
+"""Typical values of fields, for what shows how they are used: packets and programs in documentation.
+
+A value is, in this order: that of an example in a manual, what the specification states as `typical`, what a simulated
+device shows, the factory default, what a new device has set. Where there is none of these, it is simple and within its
+range; `made_up` lists those.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from mipgen import model as m
+from mipgen.lower import codec
+from mipgen.model.simulation import Value
+
+from .examples import plain
+from .records import Filled, lists
+from .simulated import named, parameter_at, place, shown, valid_flags
+
+
+@dataclass(frozen=True)
+class SampleValues:
+    model: m.Model
+
+    def values(self, f: m.Field, call: m.Call) -> codec.Values:
+        """The values that a field requires if it is sent in this way, in the form of the codec. Do not change them:
+        they are made once."""
+        key = (f.full_name, call.function.value if call.function else None)
+        if key not in self._values:
+            self._values[key] = self._made(f, call, [])
+        return self._values[key]
+
+    def whole(self, f: m.Field, call: m.Call) -> codec.Values:
+        """The same without the function, and with those that are optional."""
+        found = self.values(f, call)
+        if call.optional:
+            asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
+            found = Filled(asked, self._stated(f) | found, []).values()
+        return {name: value for name, value in found.items() if name != "function" or not f.selector}
+
+    def made_up(self, f: m.Field, call: m.Call) -> list[str]:
+        """The parameters among these, and members of their structures, whose values nothing states."""
+        found: list[str] = []
+        self._made(f, call, found)
+        return found
+
+    def _made(self, f: m.Field, call: m.Call, made_up: list[str]) -> codec.Values:
+        found: codec.Values = {"function": call.function.value} if call.function else {}
+        printed = self._printed.get(f.full_name, {}).get(found.get("function"), {})
+        needed = [p for p in call.required if p.constant is None]
+        if needed and all(p.name in printed for p in needed):
+            tags = {q.tag for q in needed}  # what a union holds depends on them
+            own = {p.name: p.typical for p in needed if p.typical is not None and p.name not in tags}
+            values = found | {p.name: printed[p.name] for p in needed} | own
+            return values | {p.name: len(values[p.counts]) for p in needed if p.counts is not None}
+        return found | Filled(tuple(needed), self._stated(f), made_up).values()
+
+    def _stated(self, f: m.Field) -> codec.Values:
+        """What is known of its values one by one, in the form of the codec; those of structures may lack members."""
+        by_name = {p.name: p for p in f.parameters}
+        found: codec.Values = {}
+        for name, value in self._initial.get(f.full_name, ()):
+            if value is not None:
+                _state(found, by_name[name], value)
+        for p in f.parameters:
+            if p.default is not None:
+                _state(found, p, p.default)
+        found |= self._asked(f)
+        found |= self._simulated(f)
+        if f.role == m.COMMAND:
+            for values in self._printed.get(f.full_name, {}).values():
+                found |= {key: value for key, value in values.items() if key != "function"}
+        return found | {p.name: p.typical for p in f.parameters if p.typical is not None}
+
+    def _asked(self, f: m.Field) -> codec.Values:
+        """Of a response: what its command sets, where it is answered with the same."""
+        command = self.model.field(f"{f.family}.{f.command}") if f.command else None
+        if command is None:
+            return {}
+        same = {p.name: p for p in command.counted if p.constant is None}
+        values = self.values(command, command.calls[0])
+        found = {
+            p.name: values[p.name]
+            for p in f.parameters
+            if p.name in values and (p.element, p.length, p.cases) == _form(same[p.name])
+        }
+        return found | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
+
+    def _simulated(self, f: m.Field) -> codec.Values:
+        """What a simulated device shows, and flags that say that it is valid."""
+        source = self._sources.get(f.full_name)
+        if source is None:
+            return {}
+        found: codec.Values = {}
+        for v in source:
+            p = parameter_at(f.parameters, v.path)
+            value = None if p is None else self._shown(v, p)
+            if value is not None:
+                place(found, v.path, value)
+        for flags, bits in valid_flags(f.parameters).items():
+            found[flags] = found.get(flags, 0) | bits
+        return found
+
+    def _shown(self, v: Value, p: m.Parameter) -> Any:
+        if v.names or v.bits:
+            return named(p, v)
+        given: Any = v.number if v.number is not None else v.text
+        if v.quantity:
+            given = self._quantities.get(v.quantity)  # one that is missing is reported elsewhere
+        if given is None:
+            return None
+        return shown(p, given, v.factor)
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        """The ways to send a command that show how it is used: its first one, and the first that requests values."""
+        calls = self.sent(f)
+        asking = next((c for c in calls if self.replies(f, c)), calls[0])
+        return [calls[0]] if asking is calls[0] else [calls[0], asking]
+
+    def sent(self, f: m.Field) -> list[m.Call]:
+        """The ways to send a field that some device takes."""
+        return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
+
+    def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
+        """What answers a command that is sent in this way."""
+        values = self.values(f, call)
+        return [
+            r
+            for r in self.model.replies(f)
+            if (call.function is None or call.function in r.functions)
+            and all(c.holds(values.get(c.parameter)) for c in r.when)
+        ]
+
+    def data(self, f: m.Field, call: m.Call | None = None) -> bytes:
+        return codec.encode(f, self.values(f, call or f.calls[0]))
+
+    def packet(self, f: m.Field, call: m.Call | None = None) -> bytes:
+        """A packet of this field alone; one that is valid in every data set is sent in the first of them."""
+        sets = [s.number for s in self.model.sets if s.number in f.sets]
+        number = sets[0] if f.everywhere and sets else f.set
+        return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
+
+    @cached_property
+    def _values(self) -> dict[tuple[str, int | None], codec.Values]:
+        return {}
+
+    @cached_property
+    def _quantities(self) -> dict[str, Any]:
+        return {q.name: q.typical for q in self.model.simulation.quantities}
+
+    @cached_property
+    def _sources(self) -> dict[str, tuple[Value, ...]]:
+        return {s.field.full_name: s.values for s in reversed(self.model.simulation.sources)}
+
+    @cached_property
+    def _initial(self) -> dict[str, list[tuple[str, Any]]]:
+        """Command -> the values that a new device has."""
+        found: dict[str, list[tuple[str, Any]]] = {}
+        for b in self.model.simulation.behaviors:
+            found.setdefault(b.command.full_name, []).extend(b.initial)
+        return found
+
+    @cached_property
+    def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
+        """Field -> function -> the values of the first example that a reader would take for typical."""
+        found: dict[str, dict[int | None, codec.Values]] = {}
+        for x in self.model.examples:
+            for part in x.fields:
+                f = self.model.field(part.field) if part.field else None
+                if f is None or part.values is None or part.trailing or not plain(f.parameters, part.values):
+                    continue
+                function: Any = part.values.get("function") if f.selector else None
+                found.setdefault(f.full_name, {}).setdefault(function, part.values)
+        return found
+
+
+@dataclass(frozen=True)
+class GivenValues(SampleValues):
+    """Has the values that one field is sent with, in place of typical ones."""
+
+    call: m.Call
+    given: codec.Values
+    host: str = ""  # what a program does after the answer
+
+    def values(self, f: m.Field, call: m.Call) -> codec.Values:
+        return self.given
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        return [self.call]
+
+
+def title_of(f: m.Field, given: GivenValues) -> str:
+    """What a line of a program sends, in a comment."""
+    return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
+
+
+def _form(p: m.Parameter) -> tuple[object, object, object]:
+    return p.element, p.length, p.cases
+
+
+def _state(found: codec.Values, p: m.Parameter, value: object) -> None:
+    """Adds a default, unless it is in words."""
+    try:
+        found[p.name] = codec.canonical(p.operation, lists(value), p.name)
+    except ValueError:
+        pass

@@ -1,0 +1,87 @@
+"""What a simulated device shows: quantities as parameters have them, and the flags that vouch for them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from mipgen import model as m
+from mipgen.lower import codec
+from mipgen.model.simulation import Value
+
+
+def shown(p: m.Parameter, given: Any, factor: float) -> Any:
+    """A quantity as a parameter shows it, in the form of the codec. Raises ValueError if it cannot.
+
+    >>> p = m.Parameter("a", m.SCALARS["float"], None, m.ScalarOp("a", m.SCALARS["float"], None, 4))
+    >>> shown(p, 9.80665, 1 / 9.80665)
+    '0x3f800000'
+    """
+    op = p.operation
+    if isinstance(given, list) and isinstance(op, m.ArrayOp):
+        return codec.canonical(op, [_scaled(p, one, factor) for one in given], p.name)
+    if isinstance(op, m.ArrayOp) and op.count is not None:  # one number for all elements
+        return codec.canonical(op, [_scaled(p, given, factor)] * op.count, p.name)
+    return codec.canonical(op, _scaled(p, given, factor), p.name)
+
+
+def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
+    """A quantity in the unit of a parameter, with as many digits as a reader would write."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    if not isinstance(given, (int, float)) or not isinstance(scalar, m.Scalar):
+        return given
+    if scalar.kind != "float":
+        return round(given * factor)
+    return given if factor == 1 else float(f"{given * factor:.{6 if scalar.size == 4 else 10}g}")
+
+
+def named(p: m.Parameter, v: Value) -> Any:
+    """The first of the names that a type of the parameter has; or all bits."""
+    types = [p.element, *(x.type for x in p.readings)]
+    if v.names:
+        enums = [t for t in types if isinstance(t, m.Enum)]
+        return next((x.value for name in v.names for t in enums if (x := t.by_name(name))), None)
+    for t in types:
+        if isinstance(t, m.Bitfield) and t.scalar is not None:
+            masks = [mask(t, name) for name in v.bits]
+            if None not in masks:
+                return sum(mask for mask in masks if mask is not None)
+    return None
+
+
+def mask(t: m.Bitfield, name: str) -> int | None:
+    """A bit, or a value of a number inside the bitfield: bits.value."""
+    bits, _, value = name.partition(".")
+    b = next((b for b in t.bits if b.name == bits), None)
+    if b is None or not value:
+        return b.mask if b else None
+    known = b.enum.by_name(value) if b.enum else None
+    return known.value << b.first if known else None
+
+
+def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter | None:
+    name, _, rest = path.partition(".")
+    p = next((p for p in parameters if p.name == name), None)
+    return parameter_at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
+
+
+def place(found: codec.Values, path: str, value: Any) -> None:
+    name, _, rest = path.partition(".")
+    if rest:
+        place(found.setdefault(name, {}), rest, value)
+    else:
+        found[name] = value
+
+
+def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
+    """The flags of what is valid: all that values refer to."""
+    found: codec.Values = {}
+    by_name = {p.name: p for p in parameters}
+    for p in parameters:
+        for path in p.valid:
+            flags, _, bit = path.partition(".")
+            t = by_name[flags].element
+            if not bit:
+                found[flags] = 1
+            elif isinstance(t, m.Bitfield) and t.scalar is not None:
+                found[flags] = found.get(flags, 0) | (mask(t, bit) or 0)
+    return found

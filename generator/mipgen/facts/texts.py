@@ -1,0 +1,160 @@
+"""What facts are made of: words and references, in order.
+
+A target only decides what words and references look like in its language; see `say`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from mipgen import model as m
+
+from .references import DESCRIPTOR
+
+Record = m.Field | m.Struct
+Thing = (
+    m.Field
+    | m.Set
+    | m.Enum
+    | m.Bitfield
+    | m.Struct
+    | m.EnumValue
+    | m.Bits
+    | m.Parameter
+    | m.Function
+    | m.Device
+    | m.Manual
+    | m.Word
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Ref:
+    """A reference to a part of the model."""
+
+    thing: Thing
+    words: str  # its name in the specification
+    within: Record | m.Enum | m.Bitfield | None = None  # the record of a parameter; the type of a value or a bit
+
+
+#: Words and references, in order.
+Text = tuple["str | Ref", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """One fact about a field, a parameter, a value or a bit."""
+
+    topic: str
+    value: Text
+    sentence: Text
+
+
+def say(text: Iterable[str | Ref], ref: Callable[[Ref], str], words: Callable[[str], str] = str) -> str:
+    """A text in a language.
+
+    >>> say(("Default: ", Ref(m.EnumValue("off", 0, ""), "off"), "."), lambda r: f"`{r.words}`")
+    'Default: `off`.'
+    """
+    return "".join(words(part) if isinstance(part, str) else ref(part) for part in text)
+
+
+def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
+    """The facts of some topics, in their order."""
+    return [f for f in facts if f.topic in wanted]
+
+
+# --------------------------------------------------------------------------- of the specification
+
+_CODE = re.compile(r"`([^`]*)`")
+
+
+def prose(text: str, model: m.Model) -> Text:
+    """A text of the specification. The name of a field or a type in backticks, `base.ping`, becomes a reference;
+    other text between backticks stays as it is."""
+
+    def named(match: re.Match[str]) -> Ref | None:
+        f, t = model.field(match[1]), model.type(match[1])
+        if f is not None:
+            return field_ref(f)
+        return None if t is None or isinstance(t, m.Vector) else Ref(t, t.name)
+
+    return _referring(text, _CODE, named)
+
+
+def quotation(text: str, model: m.Model) -> Text:
+    """A quotation of a manual, which names fields by their descriptors, as (0x0C,0x28)."""
+
+    def described(match: re.Match[str]) -> Ref | None:
+        found = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
+        return Ref(found[0], match[0]) if found else None
+
+    return _referring(text, DESCRIPTOR, described)
+
+
+def _referring(text: str, pattern: re.Pattern[str], refer: Callable[[re.Match[str]], Ref | None]) -> Text:
+    """The text with references in place of what they are made of."""
+    found: list[str | Ref] = []
+    at = 0
+    for match in pattern.finditer(text):
+        ref = refer(match)
+        if ref is not None:
+            found += [text[at : match.start()], ref]
+            at = match.end()
+    return tuple(part for part in (*found, text[at:]) if part)
+
+
+def number(value: object) -> str:
+    """
+    >>> number(2.50), number(10.0), number(7)
+    ('2.5', '10', '7')
+    """
+    return str(int(value)) if isinstance(value, float) and value.is_integer() and abs(value) < 1e15 else str(value)
+
+
+def measured(number: str, unit: str | None, model: m.Model) -> str:
+    """A number, or several, with the unit, as one writes it: 3 m, week 2412, 253 bytes."""
+    word = next((w for w in model.protocol.units if w.symbol == unit), None)
+    if word is None or word.symbol == "1":
+        return number
+    if word.numbered:
+        return f"{word.symbol} {number}"
+    return f"{number} {word.plural if word.plural and number != '1' else word.symbol}"
+
+
+def joined(items: Sequence[Text], last: str = "and") -> Text:
+    """
+    >>> joined([("a",), ("b",), ("c",)])
+    ('a', ', ', 'b', ' and ', 'c')
+    """
+    if len(items) < 2:
+        return items[0] if items else ()
+    return (*interleaved(items[:-1], ", "), f" {last} ", *items[-1])
+
+
+def interleaved(items: Sequence[Text], between: str) -> Text:
+    found: list[str | Ref] = []
+    for i, item in enumerate(items):
+        found += [between, *item] if i else item
+    return tuple(found)
+
+
+def fact(topic: str, value: Text, sentence: str) -> Fact:
+    """A fact whose sentence holds its value at `{}`."""
+    head, mark, tail = sentence.partition("{}")
+    whole = (head, *value, tail) if mark else (sentence,)
+    return Fact(topic, value, tuple(part for part in whole if part))
+
+
+def field_ref(f: m.Field) -> Ref:
+    return Ref(f, f.full_name)
+
+
+def device_ref(d: m.Device) -> Ref:
+    return Ref(d, d.title)
+
+
+def functions(found: Iterable[m.Function]) -> Text:
+    return joined([(Ref(f, f.name),) for f in found])

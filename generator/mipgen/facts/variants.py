@@ -1,0 +1,105 @@
+"""What is said about parameters that differ on a device, or with the value of a sibling."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from mipgen import model as m
+
+from .measures import measures, numeral, validity
+from .texts import Fact, Record, Ref, Text, device_ref, interleaved, joined, prose
+
+
+def variants(p: m.Parameter, record: Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
+    """What is different on devices, or with values of a sibling: one fact for all devices where it is the same."""
+    groups: list[list[m.Variant]] = []
+    for v in p.variants:
+        same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
+        if same is None:
+            groups.append([v])
+        else:
+            same.append(v)
+    found = []
+    for group in groups:
+        said = difference(group[0], p, record, model)
+        sentence = (*_condition(group, record, model), ": ", *said, ".")
+        found.append((tuple(group), Fact("variant", said, sentence)))
+    return found
+
+
+def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+    """What a variant says, in words; it may be about a member of a structure."""
+    within = p.element if v.member and isinstance(p.element, m.Struct) else None
+    if within is not None:
+        p = next(q for q in within.parameters if q.name == v.member)
+    parts: list[Text] = []
+    if v.unknown:
+        parts.append(("the values are not known",))
+    if v.type is not None:
+        parts.append(("values of ", Ref(v.type, v.type.name)))
+    if v.only:
+        named = v.type or p.element
+        assert isinstance(named, (m.Enum, m.Bitfield))
+        parts.append(("only ", *joined([(Ref(x, x.name, named),) for x in v.only])))
+    if v.constant is not None:
+        parts.append((f"always {numeral(p, v.constant)}",))
+    for measure in measures(v, p, model):
+        parts.append((f"{measure.topic} ", *measure.value))
+    if v.valid is not None:
+        parts.append(_validity(v.valid, v.key if v.by_device else None, p, record))
+    if v.deprecated is not None:
+        parts.append(("deprecated" if v.deprecated else "not deprecated",))
+    said = interleaved(parts, "; ")
+    if within is not None:
+        said = (Ref(p, p.name, within), " has " if parts else ": ", *said)
+    if v.description:
+        said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
+    return said
+
+
+def usual(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+    """What a parameter has in general where a variant of it differs, in words."""
+    if v.member:
+        return ("as on its page",)
+    parts: list[Text] = []
+    if v.type is not None or v.unknown or v.only:
+        if isinstance(p.element, (m.Enum, m.Bitfield)):
+            parts.append(("values of ", Ref(p.element, p.element.name)))
+        else:
+            parts.append(("numbers of descriptor sets" if p.shown == "set" else "any number",))
+    if v.constant is not None:
+        parts.append(("any value",))
+    general = {x.topic: x for x in measures(p, p, model)}
+    for topic in (x.topic for x in measures(v, p, model)):
+        parts.append((f"{topic} ", *general[topic].value) if topic in general else (f"{topic} not known",))
+    if v.valid is not None:
+        parts.append(_validity(p.valid, None, p, record))
+    if v.deprecated is not None:
+        parts.append(("not deprecated" if v.deprecated else "deprecated",))
+    if v.description:
+        parts.append(prose(p.description.rstrip("."), model))
+    return interleaved(parts, "; ")
+
+
+def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: Record) -> Text:
+    """What says that the value is valid, on one device or in general."""
+    if not valid:
+        return ("no flag says whether it is valid",)
+    vouching = validity(valid, p, record, device)
+    many = len(set(valid)) > 1
+    state = "" if many else " is set" if "." in valid[0] else " is true"
+    return ("valid flags " if many else "valid if ", *vouching.value, *([state] if state else []))
+
+
+def _condition(group: Sequence[m.Variant], record: Record, model: m.Model) -> Text:
+    """Where variants hold: "On the 3DM-GX5-15", "If mode is fast"."""
+    v = group[0]
+    if v.by_device:
+        devices = [(x.key, model.device(x.key)) for x in group]
+        return ("On the ", *joined([(device_ref(d) if d else key,) for key, d in devices]))
+    p = next(q for q in record.parameters if q.name == v.by)
+    assert isinstance(p.element, m.Enum)
+    value = p.element.by_name(v.key)
+    assert value is not None
+    return ("If ", Ref(p, p.name, record), " is ", Ref(value, value.name, p.element))

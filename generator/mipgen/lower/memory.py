@@ -1,0 +1,102 @@
+"""How records lie in the memory of a program in C, whatever the compiler.
+
+A record holds what the caller cannot derive: no constants, but counters and tags. A text ends with a NUL, what fills
+a field has its number of elements in front of it, and a field whose parameters may be absent begins with their number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from mipgen import model as m
+
+from .presence import Record
+
+#: No machine that C runs on aligns numbers more than this, so no compiler leaves more bytes unused before a member.
+MAX_ALIGNMENT = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """The memory of a member or a record."""
+
+    size: int
+    alignment: int = 1
+    last: int = 0  # where the last number begins, those inside of structures included; the items of an array are not
+
+
+#: The bytes that may be unused before something that begins at some place, or ends there, and its alignment.
+Gap = Callable[[int, int], int]
+
+
+def natural(place: int, alignment: int) -> int:
+    """Each number is aligned to its own size; elsewhere there is less padding."""
+    return -place % alignment
+
+
+def widest(_place: int, _alignment: int) -> int:
+    """The most that any compiler may leave."""
+    return MAX_ALIGNMENT - 1
+
+
+def members(record: Record) -> list[m.Parameter]:
+    """The parameters that have a member: no constants, and no unions without alternatives."""
+    return [p for p in record.parameters if p.constant is None and (p.element is not None or alternatives(p))]
+
+
+def alternatives(p: m.Parameter) -> list[m.Parameter]:
+    """The members of a union."""
+    return [c.parameter for c in p.cases if c.parameter is not None]
+
+
+def largest(model: m.Model) -> int:
+    """At least the size of the largest structure of a field, a multiple of the largest alignment."""
+    sizes = [record(f).size for f in (model.protocol.acknowledge, *model.fields)]
+    return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
+
+
+def record(of: Record, gap: Gap = natural) -> Room:
+    """The memory of a structure."""
+    rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
+    for p in members(of):
+        rooms += [Room(1)] if p.length == "rest" else []
+        rooms.append(_member(p, gap))
+    return _in_a_row(rooms or [Room(1)], gap)
+
+
+def _member(p: m.Parameter, gap: Gap) -> Room:
+    if p.element is not None:
+        return _room(p.operation, gap)
+    rooms = [
+        _in_a_row([Room(1), _room(a.operation, gap)], gap) if a.length == "rest" else _room(a.operation, gap)
+        for a in alternatives(p)
+    ]
+    size, alignment = max(r.size for r in rooms), max(r.alignment for r in rooms)
+    return Room(size + gap(size, alignment), alignment, max(r.last for r in rooms))
+
+
+def _room(op: m.Operation, gap: Gap) -> Room:
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return Room(op.size, op.size)
+        case m.BitsOp():
+            return Room(op.size)
+        case m.TextOp():
+            return Room(op.capacity + 1)
+        case m.ArrayOp():
+            item = _room(op.item, gap)
+            return Room(max(1, op.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
+        case m.StructOp():
+            return record(op.struct, gap)
+    raise AssertionError(op)
+
+
+def _in_a_row(rooms: Sequence[Room], gap: Gap) -> Room:
+    at = last = 0
+    for room in rooms:
+        at += gap(at, room.alignment)
+        last = max(last, at + room.last)
+        at += room.size
+    alignment = max(room.alignment for room in rooms)
+    return Room(at + gap(at, alignment), alignment, last)

@@ -1,0 +1,122 @@
+"""The resolved model: what MIP is, with every reference followed and every size computed.
+
+Frozen dataclasses that describe the protocol, independent of any language and of files. `resolve` builds them,
+targets and templates read them. Names are words in lower case joined by underscores, as the specification gives
+them; `emit.naming` turns them into each language's case. Languages that limit the length of identifiers take
+`short` in place of a name, where there is one.
+
+Guides and the simulation are read from their own modules.
+"""
+
+from mipgen.read.position import Position
+
+from .devices import Device, DeviceVariant, Limit, Note, Port, Rate, Support
+from .evidence import Claim, Erratum, Example, ExampleField, Manual
+from .fields import (
+    COMMAND,
+    COMMAND_SETS,
+    DATA,
+    DATA_SETS,
+    MAX_FIELD_DATA,
+    NO_SETS,
+    RESPONSE,
+    SHARED_DESCRIPTORS,
+    SHARED_SET,
+    Call,
+    Condition,
+    Family,
+    Field,
+    Kind,
+    Named,
+    Occurrence,
+    Reply,
+    Role,
+    Set,
+)
+from .operations import (
+    ArrayOp,
+    BitsOp,
+    ConstantOp,
+    CounterOp,
+    GroupOp,
+    Operation,
+    ScalarOp,
+    StructOp,
+    SwitchOp,
+    TextOp,
+    ValueOp,
+)
+from .parameters import DEVICE, Case, Parameter, Shown, Variant
+from .protocol import OWN_PACKAGE, Chapter, Clock, Protocol, Usage, Word
+from .specification import Model
+from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Source, Struct, Type, Vector, letters
+
+__all__ = [
+    "COMMAND",
+    "COMMAND_SETS",
+    "DATA",
+    "DATA_SETS",
+    "DEVICE",
+    "MAX_FIELD_DATA",
+    "NO_SETS",
+    "OWN_PACKAGE",
+    "RESPONSE",
+    "SCALARS",
+    "SHARED_DESCRIPTORS",
+    "SHARED_SET",
+    "ArrayOp",
+    "Bitfield",
+    "Bits",
+    "BitsOp",
+    "Call",
+    "Case",
+    "Chapter",
+    "Claim",
+    "Clock",
+    "Condition",
+    "ConstantOp",
+    "CounterOp",
+    "Device",
+    "DeviceVariant",
+    "Enum",
+    "EnumValue",
+    "Erratum",
+    "Example",
+    "ExampleField",
+    "Family",
+    "Field",
+    "Function",
+    "GroupOp",
+    "Kind",
+    "Limit",
+    "Manual",
+    "Model",
+    "Named",
+    "Note",
+    "Occurrence",
+    "Operation",
+    "Parameter",
+    "Port",
+    "Position",
+    "Protocol",
+    "Rate",
+    "Reply",
+    "Role",
+    "Scalar",
+    "ScalarOp",
+    "Set",
+    "Shown",
+    "Source",
+    "Struct",
+    "StructOp",
+    "Support",
+    "SwitchOp",
+    "TextOp",
+    "Type",
+    "Usage",
+    "ValueOp",
+    "Variant",
+    "Vector",
+    "Word",
+    "letters",
+]

@@ -1,0 +1,246 @@
+"""Fields and the descriptor sets in which they occur."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Final, Literal
+
+from mipgen.read.position import Position
+
+from .operations import BitsOp, ConstantOp, CounterOp, Operation, ScalarOp
+from .parameters import Parameter
+from .types import Function, Source, Type
+
+COMMAND: Final = "command"
+RESPONSE: Final = "response"
+DATA: Final = "data"
+Role = Literal["command", "response", "data"]
+
+#: What a set or a family holds; shared data occurs in every data set.
+Kind = Literal["command", "data", "shared"]
+
+#: The sets of commands, and those of data.
+COMMAND_SETS: Final = range(0x01, 0x80)
+DATA_SETS: Final = range(0x80, 0xFF)
+
+#: The number under which fields of every data set are listed; no packet has it.
+SHARED_SET: Final = 0xFF
+
+#: The numbers that no packet has: those of fields of every command set, and of every data set.
+NO_SETS: Final = (0, SHARED_SET)
+
+#: The descriptors of its fields; those of other data sets are below.
+SHARED_DESCRIPTORS = range(0xD0, 0x100)
+
+#: A field is at most 255 bytes long and spends two of them on its length and its descriptor.
+MAX_FIELD_DATA = 253
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One way to send a field: by one of its functions, or the only way where there is no selector."""
+
+    function: Function | None
+    required: tuple[Parameter, ...]  # must be there, in wire order; the selector is not counted
+    optional: tuple[Parameter, ...]  # may follow these: no function requires them
+
+    @property
+    def asked(self) -> tuple[Parameter, ...]:
+        """What a caller must give: neither constants nor reserved values."""
+        return tuple(p for p in self.required if p.constant is None and p.reserved is None)
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A parameter of the command has this value, or that of another command was last set to it."""
+
+    parameter: str
+    value: int
+    label: str  # the value as the specification writes it
+    command: str | None = None  # "aiding.echo_control": another command, whose setting it is
+
+    @property
+    def boolean(self) -> bool:
+        return self.label in ("true", "false")
+
+    def holds(self, value: object) -> bool:
+        """Of a Boolean, everything but 0 is true."""
+        return bool(value) == bool(self.value) if self.boolean and value is not None else value == self.value
+
+
+@dataclass(frozen=True, slots=True)
+class Set:
+    """A descriptor set: what the third byte of a packet says. Its fields and types are those of its family."""
+
+    number: int
+    name: str
+    kind: Kind
+    title: str
+    description: str
+    family: str
+    sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrence:
+    """A field in one descriptor set, with what it has of its own there."""
+
+    set: int
+    set_name: str
+    title: str
+    sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True)
+class Field:
+    """One layout of one descriptor in one role: a type in every language, in whichever sets it occurs."""
+
+    family: str
+    occurrences: tuple[Occurrence, ...]  # by set; one, numbered 0 or SHARED_SET, if it occurs `everywhere`
+    name: str
+    descriptor: int
+    role: Role
+    title: str
+    description: str
+    parameters: tuple[Parameter, ...]
+    operations: tuple[Operation, ...]
+    min_size: int
+    max_size: int
+    sources: tuple[Source, ...]
+    functions: tuple[Function, ...] = ()  # by value; none where there is no selector
+    command: str | None = None  # of a response: the (first) command that owns it
+    when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
+    devices: tuple[str, ...] = ()  # of a response: the devices that send this one of several layouts; see `answers`
+    responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
+    silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
+    sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
+    silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
+    everywhere: range | None = None  # the sets of a rule: every command set, every data set
+    max_rate: float | None = None
+    timeout: float | None = None
+    advanced: bool = False
+    deprecated: str | None = None
+    also: tuple[str, ...] = ()  # other names
+    keywords: tuple[str, ...] = ()  # words by which people look for it, and which it does not contain
+    notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+    @cached_property
+    def full_name(self) -> str:
+        return f"{self.family}.{self.name}"
+
+    @property
+    def sets(self) -> Sequence[int]:
+        """The descriptor sets in which it occurs."""
+        return self.everywhere or tuple(o.set for o in self.occurrences)
+
+    @property
+    def set(self) -> int:
+        """The number under which it is listed: its set, the first of several, SHARED_SET, or 0 (the acknowledge)."""
+        return self.occurrences[0].set
+
+    def name_in(self, number: int) -> str:
+        """Its full name in a set: "gnss_2.dop". What occurs everywhere has one name."""
+        found = next((o for o in self.occurrences if o.set == number), None)
+        return f"{found.set_name}.{self.name}" if found else self.full_name
+
+    @property
+    def selector(self) -> bool:
+        """Does it start with a function selector?"""
+        return bool(self.functions)
+
+    @cached_property
+    def calls(self) -> tuple[Call, ...]:
+        """The ways to send it: one for each function, or just one."""
+        optional = tuple(p for p in self.counted if p.optional)
+        if not self.functions:
+            return (Call(None, tuple(p for p in self.parameters if not p.optional), optional),)
+        return tuple(
+            Call(f, tuple(p for p in self.counted if f in p.required_for), optional if f.sets else ())
+            for f in self.functions
+        )
+
+    def required(self, function: int | None = None) -> int:
+        """How many parameters (the selector not counted) must be there; an unknown function requires none."""
+        value = function if self.selector else None
+        return next((len(c.required) for c in self.calls if (c.function and c.function.value) == value), 0)
+
+    @property
+    def optional(self) -> bool:
+        """May parameters be absent?"""
+        return any(op.kind == "group" for op in self.operations)
+
+    @property
+    def counted(self) -> tuple[Parameter, ...]:
+        """The parameters that a count of present ones counts: all but the selector."""
+        return tuple(p for p in self.parameters if not p.selector)
+
+    @property
+    def constants(self) -> tuple[tuple[int, ConstantOp], ...]:
+        """The constants at known offsets in the data, which distinguish two layouts of a descriptor."""
+        found, offset = [], 0
+        for op in self.operations:
+            if not isinstance(op, (ScalarOp, ConstantOp, CounterOp, BitsOp)):
+                break
+            if isinstance(op, ConstantOp):
+                found.append((offset, op))
+            offset += op.size
+        return tuple(found)
+
+    @property
+    def signature(self) -> tuple[tuple[int, int, int], ...]:
+        """Its constants as offset, size and value: layouts that share them are distinguished by the size of the
+        data."""
+        return tuple((at, op.size, op.value) for at, op in self.constants)
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """The response of a command, in each of its layouts. It is sent if the function is one of `functions`, where the
+    command has a selector, and if all of `when` holds."""
+
+    layouts: tuple[Field, ...]
+    functions: tuple[Function, ...]
+    when: tuple[Condition, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A descriptor that a source names without a layout; its data cannot be decoded."""
+
+    descriptor: int
+    role: Role
+    name: str
+    title: str
+    sources: tuple[Source, ...]
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """Fields and their types, and the descriptor sets in which they occur: one, several, or all of a kind."""
+
+    name: str
+    kind: Kind
+    title: str
+    description: str
+    sets: tuple[Set, ...]  # by number
+    types: tuple[Type, ...]
+    fields: tuple[Field, ...]  # by descriptor, commands before responses
+    sources: tuple[Source, ...] = ()
+    named: tuple[Named, ...] = ()  # by descriptor, commands before responses
+    uncertain: tuple[str, ...] = ()
+    position: Position | None = field(default=None, compare=False)
+
+    @property
+    def number(self) -> int:
+        """The number under which it is listed: that of its first set."""
+        return self.sets[0].number

@@ -1,0 +1,153 @@
+"""Guides: the part of the model that `spec/guides` gives.
+
+A guide answers the question of somebody who wants to do something: which packets to send, in which order and why,
+and what comes back. Packets and answers are computed; the values in them are the author's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mipgen.read.position import Position
+
+    from . import Device, Field, Set, Source
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A field in a packet, with all its values in the form of the codec."""
+
+    field: Field
+    values: dict[str, Any]
+    data: bytes
+    stated: tuple[str, ...] = ()  # the parameters whose values are sure; the others are as one might see them
+
+
+@dataclass(frozen=True, slots=True)
+class Stream:
+    """Data packets that come because of a step."""
+
+    set: Set
+    fields: tuple[Shown, ...]
+    packet: bytes
+    rate: float | int | None = None  # Hz; None: one packet, or one each time that something happens
+    on_event: str = ""  # what makes the device send one
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One command, why it is sent, and what comes back."""
+
+    why: str
+    command: Field
+    values: dict[str, Any]
+    packet: bytes
+    answer: bytes  # acknowledge, and response
+    host: str = ""  # what a program does then, without a command
+    response: Shown | None = None
+    data: tuple[Stream, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """Steps in their order, for certain devices."""
+
+    title: str
+    devices: tuple[Device, ...]
+    steps: tuple[Step, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def streams(self) -> tuple[Stream, ...]:
+        return tuple(s for step in self.steps for s in step.data)
+
+    @property
+    def used(self) -> set[str]:
+        """The full names of the fields that are sent and that come as data."""
+        return {f.full_name for s in self.steps for f in (s.command, *(x.field for t in s.data for x in t.fields))}
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What replaces fields of one device on another."""
+
+    fields: tuple[Field, ...]
+    by: tuple[Field, ...]
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class Migration:
+    """From one device to another: every field that the other lacks is in one of the changes."""
+
+    before: Device
+    after: Device
+    changes: tuple[Change, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    name: str
+    title: str  # what somebody wants to do: "stream IMU data at 100 Hz"
+    question: str
+    answer: str
+    sequences: tuple[Sequence, ...]
+    before: tuple[str, ...] = ()  # what must be done or known first
+    notes: tuple[str, ...] = ()
+    tables: tuple[str, ...] = ()  # facts of all devices that it shows: see TABLES
+    migration: Migration | None = None
+    see: tuple[str, ...] = ()  # names of guides and full names of fields
+    sources: tuple[Source, ...] = ()
+    position: Position | None = field(default=None, compare=False)
+
+    def only(self, fields: dict[str, Field], devices: dict[str, Device]) -> Guide | None:
+        """The part that is about these fields and devices; None if nothing remains of it."""
+        sequences = [_only(s, fields, devices) for s in self.sequences]
+        kept = tuple(s for s in sequences if s is not None)
+        m = self.migration
+        if (self.sequences and not kept) or (m is not None and _lost(m, fields, devices)):
+            return None
+        see = tuple(name for name in self.see if "." not in name or name in fields)
+        return replace(self, sequences=kept, see=see, migration=m and _moved(m, fields, devices))
+
+
+#: Facts of all devices that a guide may show.
+TABLES = ("base_rates", "baud_rates")
+
+
+def _only(s: Sequence, fields: dict[str, Field], devices: dict[str, Device]) -> Sequence | None:
+    """The sequence on the devices that are left, if all its fields are."""
+    used = [step.command for step in s.steps] + [x.field for t in s.streams for x in t.fields]
+    used += [step.response.field for step in s.steps if step.response is not None]
+    left = tuple(devices[d.id] for d in s.devices if d.id in devices)
+    if not left or any(f.full_name not in fields for f in used):
+        return None
+    if any(t.set.number not in fields[x.field.full_name].sets for t in s.streams for x in t.fields):
+        return None
+    return replace(s, devices=left, steps=tuple(_step(step, fields) for step in s.steps))
+
+
+def _step(step: Step, fields: dict[str, Field]) -> Step:
+    """The step with the fields of the part."""
+    response = step.response and _shown(step.response, fields)
+    data = tuple(replace(t, fields=tuple(_shown(x, fields) for x in t.fields)) for t in step.data)
+    return replace(step, command=fields[step.command.full_name], response=response, data=data)
+
+
+def _shown(shown: Shown, fields: dict[str, Field]) -> Shown:
+    return replace(shown, field=fields[shown.field.full_name])
+
+
+def _lost(m: Migration, fields: dict[str, Field], devices: dict[str, Device]) -> bool:
+    named = [f for c in m.changes for f in (*c.fields, *c.by)]
+    return not {m.before.id, m.after.id} <= devices.keys() or any(f.full_name not in fields for f in named)
+
+
+def _moved(m: Migration, fields: dict[str, Field], devices: dict[str, Device]) -> Migration:
+    changes = tuple(
+        Change(tuple(fields[f.full_name] for f in c.fields), tuple(fields[f.full_name] for f in c.by), c.note)
+        for c in m.changes
+    )
+    return Migration(devices[m.before.id], devices[m.after.id], changes)

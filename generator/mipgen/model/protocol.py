@@ -1,0 +1,78 @@
+"""The protocol itself: framing, function selectors, vocabularies, clocks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from mipgen.read.position import Position
+
+from .evidence import Manual
+from .fields import Field
+from .types import Enum, Function, Source
+
+#: The package that the templates and runtimes of the targets are written for.
+OWN_PACKAGE = "mip"
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """An entry of a controlled vocabulary: a unit or a frame of reference."""
+
+    symbol: str
+    title: str
+    description: str
+    plural: str = ""  # of a unit that is a word: what more than one are called
+    numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
+    elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """Notes on the protocol for programmers, besides its fields."""
+
+    title: str
+    text: tuple[str, ...]  # sentences that belong together, each
+    sources: tuple[Source, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """A clock whose time packets have."""
+
+    name: str
+    title: str
+    description: str
+    epoch: str | None  # "1980-01-06"; without it, it starts with the device
+    timestamps: tuple[str, ...]  # full names of the data fields that hold it
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Usage:
+    """The word that names use for a thing, and those that they do not use."""
+
+    word: str
+    instead_of: tuple[str, ...]
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Protocol:
+    name: str
+    title: str  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
+    package: str  # what libraries and packages are called: `mip` for `mip_parser_init`, `mip_protocol`
+    keywords: tuple[str, ...]  # by which people look for it
+    version: str
+    sync: tuple[int, int]
+    max_payload: int
+    functions: tuple[Function, ...]
+    acknowledge: Field
+    ack_code: Enum
+    function_selector: Enum
+    units: tuple[Word, ...]
+    frames: tuple[Word, ...]
+    manuals: tuple[Manual, ...]
+    notes: tuple[Chapter, ...] = ()
+    vocabulary: tuple[Usage, ...] = ()
+    clocks: tuple[Clock, ...] = ()  # preferred clocks come first
+    leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -1,0 +1,109 @@
+"""What a simulated device knows and does: the part of the model that `spec/simulation` gives.
+
+The simulated world, such as a motion, is not described here; its *quantities* are named, and each value of a data
+field or of a response shows one of them. Likewise a command has an *effect* by name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import Field
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """Something that the simulation knows, in one unit: a number, several, a text, or a list."""
+
+    name: str
+    unit: str | None
+    elements: int
+    description: str
+    typical: Any = None  # a typical value: a number, several, a text, or a list
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    name: str
+    arguments: tuple[str, ...]
+    description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """What a parameter shows: a quantity, times `factor`, or a constant."""
+
+    path: str  # parameter, or parameter.member of a structure
+    quantity: str = ""
+    factor: float = 1.0
+    names: tuple[str, ...] = ()  # of values: the first one that the enumeration has, which may depend on the device
+    bits: tuple[str, ...] = ()
+    number: float | int | None = None
+    text: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What the values of a data field or of a response show: in all its sets that have no source of their own, or in
+    one."""
+
+    field: Field
+    set: int | None
+    for_each: str  # a quantity that is a list: the field is sent once for each item
+    values: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Behavior:
+    """What a command does besides storing a setting, and how the setting is stored."""
+
+    command: Field
+    effect: str = ""
+    arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: a parameter, parameter.member, or a number
+    all: tuple[tuple[str, int], ...] = ()  # parameter -> the value that means all instances
+    instances: tuple[tuple[str, str], ...] = ()  # parameter -> what its values are: a limit, PORTS, SETS
+    translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set
+    setting: str = ""  # the command whose setting it is, if not its own
+    key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
+    initial: tuple[tuple[str, object], ...] = ()  # values on a new device
+    answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
+
+
+#: What instances may be other than numbers up to a limit: the ports of the device, and its data sets.
+PORTS = "ports"
+SETS = "data_sets"
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    quantities: tuple[Quantity, ...] = ()
+    effects: tuple[Effect, ...] = ()
+    sources: tuple[Source, ...] = ()
+    behaviors: tuple[Behavior, ...] = ()
+
+    def only(self, fields: dict[str, Field]) -> Simulation:
+        """The part that is about these fields, as they are given here.
+
+        Commands whose common setting is not among them share it as before: the first one keeps it.
+        """
+        behaviors: list[Behavior] = []
+        keepers: dict[tuple[str, tuple[tuple[str, int], ...]], str] = {}
+        for b in self.behaviors:
+            command = fields.get(b.command.full_name)
+            if command is None:
+                continue
+            layouts = ((name, fields.get(f"{command.family}.{name}")) for name, _ in b.answers)
+            b = replace(b, command=command, answers=tuple((name, f.devices) for name, f in layouts if f is not None))
+            if not b.setting or b.setting in fields:
+                behaviors.append(b)
+            elif command.functions:  # else it only acts on the setting, which is not there
+                keeper = keepers.setdefault((b.setting, b.key), command.full_name)
+                behaviors.append(replace(b, setting="" if keeper == command.full_name else keeper, key=()))
+        sources = tuple(
+            replace(s, field=f)
+            for s in self.sources
+            if (f := fields.get(s.field.full_name)) is not None and (s.set is None or s.set in f.sets)
+        )
+        return Simulation(self.quantities, self.effects, sources, tuple(behaviors))

@@ -1,0 +1,205 @@
+"""A whole specification, with its lookups."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, TypeVar
+
+from .devices import Device, Support
+from .evidence import Erratum, Example
+from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Reply, Set
+from .guides import Guide
+from .protocol import Protocol
+from .simulation import Simulation
+from .types import Function, Type
+
+Key = TypeVar("Key")
+Item = TypeVar("Item")
+
+
+@dataclass(frozen=True)
+class Model:
+    """A whole specification, with lookups of references, which are indexed once."""
+
+    protocol: Protocol
+    types: tuple[Type, ...]  # of spec/types, in dependency order
+    families: tuple[Family, ...]  # by number
+    devices: tuple[Device, ...] = ()
+    examples: tuple[Example, ...] = ()
+    errata: tuple[Erratum, ...] = ()
+    simulation: Simulation = field(default_factory=Simulation)
+    guides: tuple[Guide, ...] = ()
+    programs: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
+
+    def derived(self, make: Callable[[Model], Item]) -> Item:
+        """What a class or a function makes of this model: once, and kept with it."""
+        if make not in self._derived:
+            self._derived[make] = make(self)
+        found: Item = self._derived[make]
+        return found
+
+    def program(self, name: str) -> str:
+        """The text of one of them; empty if the specification brings none of that name."""
+        return dict(self.programs).get(name, "")
+
+    @cached_property
+    def fields(self) -> tuple[Field, ...]:
+        """Every field, without the acknowledge field."""
+        return tuple(f for x in self.families for f in x.fields)
+
+    @cached_property
+    def sets(self) -> tuple[Set, ...]:
+        """Every descriptor set, by number."""
+        return tuple(sorted((s for x in self.families for s in x.sets), key=lambda s: s.number))
+
+    @cached_property
+    def all_types(self) -> tuple[Type, ...]:
+        """Those of spec/types, then those of the families."""
+        return (*self.types, *(t for x in self.families for t in x.types))
+
+    def set(self, number: int) -> Set | None:
+        return self._sets.get(number)
+
+    def family(self, name: str) -> Family | None:
+        return self._families.get(name)
+
+    def field(self, full_name: str) -> Field | None:
+        """A field by its full name, or by its name in one of its sets: "gnss_2.dop"."""
+        return self._fields.get(full_name)
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The full names of all fields, and their names in each of their sets."""
+        every = (name for f in self.fields for name in (f.full_name, *(f.name_in(o.set) for o in f.occurrences)))
+        return tuple(dict.fromkeys(every))
+
+    def set_of(self, full_name: str) -> int:
+        """The number of the set that the name of a field begins with."""
+        first = full_name.partition(".")[0]
+        known = next((s.number for s in self.sets if s.name == first), None)
+        return known if known is not None else self._fields[full_name].set
+
+    def fields_in(self, s: Set) -> tuple[Field, ...]:
+        """The fields that occur in a set, without those that occur everywhere."""
+        family = self._families[s.family]
+        return tuple(f for f in family.fields if any(o.set == s.number for o in f.occurrences))
+
+    def type(self, name: str) -> Type | None:
+        """A type by its full name: "set.type", or the name alone for one of spec/types."""
+        return self._types.get(name)
+
+    def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
+        """The layouts that a descriptor may have inside a packet of that set."""
+        found = self._descriptors.get((set_number, descriptor), ())
+        return found or tuple(f for f in self._everywhere.get(descriptor, ()) if set_number in f.sets)
+
+    def layouts(self, f: Field) -> tuple[Field, ...]:
+        """The layouts of the descriptor of a field: itself, and those that it must be distinguished from."""
+        found = (g for o in f.occurrences for g in self._descriptors.get((o.set, f.descriptor), ()))
+        return tuple({g.full_name: g for g in found}.values()) or (f,)
+
+    def sizes(self, f: Field) -> range:
+        """The sizes of data with which the descriptor has this layout, given its constants.
+
+        Of several with the same constants it is the longest that the data hold, else the shortest.
+        """
+        others = [g.min_size for g in self.layouts(f) if g.signature == f.signature]
+        first = f.min_size if min(others) < f.min_size else 0
+        return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
+
+    def responses(self, command: Field) -> tuple[Field, ...]:
+        """What a command may be answered with."""
+        return tuple(self._fields[f"{command.family}.{name}"] for name in command.responses)
+
+    def replies(self, command: Field) -> tuple[Reply, ...]:
+        """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
+        response; another command that has the same response is answered with it always."""
+        functions = tuple(f for f in command.functions if f.responds)
+        layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
+        return tuple(Reply(found, functions, when) for when, found in layouts.items())
+
+    def answers(self, command: Field, device: str) -> tuple[Field, ...]:
+        """The same for one device: of the layouts of a response its own, else those that name no devices."""
+        found: list[Field] = []
+        for reply in self.replies(command):
+            own = [f for f in reply.layouts if device in f.devices]
+            found += own or [f for f in reply.layouts if not f.devices] or reply.layouts
+        return tuple(found)
+
+    def commands(self, response: Field) -> tuple[Field, ...]:
+        """The commands that a response answers."""
+        return self._commands.get(response.full_name, ())
+
+    def supports(self, f: Field, number: int | None = None) -> tuple[tuple[Device, Support], ...]:
+        """The devices that support a command or data field, in one set or in any; those that may are included."""
+        found = self._supports.get(f.full_name, ())
+        return found if number is None else tuple((d, s) for d, s in found if s.set == number)
+
+    def devices_of(self, f: Field, certain: bool = True, number: int | None = None) -> tuple[Device, ...]:
+        """The devices that support a field, or may support it, in one set or in any; a response if they answer a
+        command with it."""
+        if f.role == RESPONSE:
+            asked = [(c, d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+            found = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
+        else:
+            found = list(self.supports(f, number))
+        known = {d.id for d, s in found if s.evidence is None}
+        names = known if certain else {d.id for d, _ in found} - known
+        return tuple(d for d in self.devices if d.id in names)
+
+    def taken(self, command: Field) -> tuple[Function, ...]:
+        """The functions that at least one device takes; all of them where no device is known."""
+        found = [x for _, s in self.supports(command) for x in s.functions]
+        return tuple(x for x in command.functions if x in found) or command.functions
+
+    def device(self, id: str) -> Device | None:
+        return next((d for d in self.devices if d.id == id), None)
+
+    # ----------------------------------------------------------------------- indexes
+
+    @cached_property
+    def _derived(self) -> dict[Callable[[Model], Any], Any]:
+        return {}
+
+    @cached_property
+    def _sets(self) -> dict[int, Set]:
+        return {s.number: s for s in self.sets}
+
+    @cached_property
+    def _fields(self) -> dict[str, Field]:
+        every = (*self.fields, self.protocol.acknowledge)
+        return {f.name_in(o.set): f for f in every for o in f.occurrences} | {f.full_name: f for f in every}
+
+    @cached_property
+    def _families(self) -> dict[str, Family]:
+        return {x.name: x for x in self.families}
+
+    @cached_property
+    def _types(self) -> dict[str, Type]:
+        own = {f"{x.name}.{t.name}": t for x in self.families for t in x.types}
+        return {**own, **{t.name: t for t in self.types}}
+
+    @cached_property
+    def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:
+        return _grouped(((o.set, f.descriptor), f) for f in self.fields for o in f.occurrences)
+
+    @cached_property
+    def _everywhere(self) -> dict[int, tuple[Field, ...]]:
+        return _grouped((f.descriptor, f) for f in (*self.fields, self.protocol.acknowledge) if f.everywhere)
+
+    @cached_property
+    def _commands(self) -> dict[str, tuple[Field, ...]]:
+        return _grouped((f"{f.family}.{name}", f) for f in self.fields for name in f.responses)
+
+    @cached_property
+    def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
+        return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
+
+
+def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:
+    found: dict[Key, tuple[Item, ...]] = {}
+    for key, item in pairs:
+        found[key] = (*found.get(key, ()), item)
+    return found

@@ -1,0 +1,178 @@
+"""Types: numbers, enumerations, bitfields, vectors and structures; and where a fact comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from mipgen.read.position import Position
+
+if TYPE_CHECKING:
+    from .operations import ValueOp
+    from .parameters import Parameter
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The place in a manual that states a fact, and the field length printed there."""
+
+    manual: str
+    section: str
+    length: str | None = None  # "14", "4 + 3*count", or None if the manual gives none
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A number on the wire, always big-endian."""
+
+    name: str
+    size: int
+    kind: Literal["unsigned", "signed", "float", "bool", "char"]
+
+
+SCALARS: dict[str, Scalar] = {
+    s.name: s
+    for s in (
+        *(Scalar(f"u{8 * n}", n, "unsigned") for n in (1, 2, 4, 8)),
+        *(Scalar(f"s{8 * n}", n, "signed") for n in (1, 2, 4, 8)),
+        Scalar("float", 4, "float"),
+        Scalar("double", 8, "float"),
+        Scalar("bool", 1, "bool"),
+        Scalar("char", 1, "char"),
+    )
+}
+
+
+@dataclass(frozen=True, slots=True)
+class EnumValue:
+    name: str
+    value: int
+    description: str
+    deprecated: bool = False
+    uncertain: tuple[str, ...] = ()
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Enum:
+    """An open enumeration: unnamed values may be received and are preserved."""
+
+    name: str
+    scalar: Scalar
+    values: tuple[EnumValue, ...]
+    description: str
+    owner: str | None  # the set that defines it, None if it is defined in spec/types
+    sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    kind: Literal["enum"] = "enum"
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+    def by_name(self, name: str) -> EnumValue | None:
+        return next((v for v in self.values if v.name == name), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Bits:
+    """One flag (first == last) or one unsigned number inside a bitfield."""
+
+    name: str
+    first: int
+    last: int
+    description: str
+    alias: bool  # intentionally overlaps other bits
+    enum: Enum | None = None
+    uncertain: tuple[str, ...] = ()
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+    @property
+    def width(self) -> int:
+        return self.last - self.first + 1
+
+    @property
+    def mask(self) -> int:
+        return ((1 << self.width) - 1) << self.first
+
+
+@dataclass(frozen=True, slots=True)
+class Bitfield:
+    """Named bits of an unsigned scalar, or of `size` bytes, least significant byte first."""
+
+    name: str
+    scalar: Scalar | None  # None: a byte array
+    size: int
+    bits: tuple[Bits, ...]
+    description: str
+    owner: str | None
+    sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    kind: Literal["bitfield"] = "bitfield"
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+    @property
+    def known_mask(self) -> int:
+        mask = 0
+        for b in self.bits:
+            mask |= b.mask
+        return mask
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """A fixed array whose elements have names: vector3f is (x, y, z), quatf is (w, x, y, z)."""
+
+    name: str
+    scalar: Scalar
+    elements: tuple[str, ...]
+    description: str
+    uncertain: tuple[str, ...] = ()
+    kind: Literal["vector"] = "vector"
+
+
+@dataclass(frozen=True, slots=True)
+class Struct:
+    """A named group of parameters, used inside fields."""
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    operations: tuple[ValueOp, ...]
+    min_size: int
+    max_size: int
+    description: str
+    owner: str | None
+    sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    kind: Literal["struct"] = "struct"
+    short: str | None = None
+    position: Position | None = field(default=None, compare=False)
+
+    @property
+    def fixed(self) -> bool:
+        return self.min_size == self.max_size
+
+
+Type = Enum | Bitfield | Vector | Struct
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function selector: what a settings command is asked to do."""
+
+    name: str
+    letter: str
+    value: int
+    reply: bool  # False: the device sends no acknowledge
+    responds: bool  # True: a response with the current setting follows the acknowledge
+    sets: bool  # True: it gives new values, so it may carry optional parameters
+    like: str | None  # the function whose parameters it requires
+    description: str
+
+
+def letters(functions: Iterable[Function]) -> str:
+    """Functions as the specification writes them: "WRSLD"."""
+    return "".join(f.letter for f in functions)

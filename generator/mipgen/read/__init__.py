@@ -1,0 +1,1 @@
+"""Reads specifications. Knows files, lines, schemas and overlays, words problems, and knows nothing of MIP."""

@@ -1,0 +1,284 @@
+"""Reads the files of a specification and checks each against its JSON Schema."""
+
+from __future__ import annotations
+
+import functools
+import json
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from mipgen.base import cache, fingerprint, resources
+from mipgen.base.resources import MANIFEST
+
+from . import overlay
+from .documents import Document
+from .nodes import Node, read
+from .position import Position
+from .problems import Problems, close, nearest
+from .spelling import strange
+
+#: Words that other YAML parsers read as true and false.
+BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
+
+#: Which files a specification has: kind of schema -> pattern below its folder.
+LAYOUT = {
+    "protocol": "protocol.yaml",
+    "manual": "manuals/*.yaml",
+    "types": "types/*.yaml",
+    "set": "sets/*.yaml",
+    "device": "devices/*.yaml",
+    "examples": "examples/*.yaml",
+    "errata": "errata/*.yaml",
+    "simulation": "simulation/*.yaml",
+    "guide": "guides/*.yaml",
+}
+
+#: A file with several devices or families, and under which keys it has them.
+DEVICES = "devices"
+PARTS = {"device": "devices", "family": "families"}
+
+#: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
+OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
+
+
+def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
+    """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
+    if not (spec / "protocol.yaml").is_file():
+        problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
+        return []
+    documents = _documents(spec, LAYOUT, False, problems)
+    for folder in overlays:
+        more = _documents(folder, OVERLAY, True, problems)
+        if not more and not problems:
+            files = ", ".join(OVERLAY.values())
+            problems.add(Position(shown(folder), 1, 1), f"nothing to add to the specification: no {files}")
+        documents = overlay.lay(documents, more, problems)
+    return documents
+
+
+def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
+    """The files of one folder, perhaps an overlay. Files that were found valid before are not checked again."""
+    documents, judged = [], {}
+    for kind, pattern in layout.items():
+        for path in _visible(folder.glob(pattern)):
+            name = path.relative_to(folder).as_posix()
+            root = read(path, shown(path), problems)
+            if root is None:
+                continue
+            of = _schema(kind, root, over)
+            seen = cache.key(fingerprint.program(), of, str(over), path.read_bytes())
+            if cache.get("valid", seen) is None:
+                if not _valid(_validators(over)[of], root, "the file", problems):
+                    continue
+                judged[seen] = b""
+            if of == DEVICES:
+                parts = ((one, entry) for one, many in PARTS.items() for entry in root.get(many) or ())
+                documents += [Document(one, name, entry) for one, entry in parts]
+            else:
+                documents.append(Document(of, name, root))
+    cache.put("valid", judged)
+    _strays(folder, layout, problems)
+    return documents
+
+
+def _schema(kind: str, root: Node, over: bool) -> str:
+    """Which schema judges a file: one that extends another, or has several devices, has its own."""
+    extension = f"{kind}_extension"
+    if over and "extend" in root and extension in overlay.EXTENSIONS:
+        return extension
+    return DEVICES if kind == "device" and any(many in root for many in PARTS.values()) else kind
+
+
+def shown(path: Path) -> str:
+    """A path as a user would write it on the command line."""
+    here = Path.cwd()
+    absolute = path.absolute()
+    return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
+
+
+def _visible(paths: Iterable[Path]) -> list[Path]:
+    """In order; hidden files are those of editors and systems, such as `.#tools.yaml`."""
+    return sorted(path for path in paths if path.name[0] != ".")
+
+
+def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
+    """Reports files in the wrong place, which would be ignored silently."""
+    known = {path for pattern in layout.values() for path in spec.glob(pattern)}
+    read_ones = ", ".join(layout.values())
+    made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
+    for path in _visible(spec.rglob("*.*")):
+        if path.suffix.lower() not in (".yaml", ".yml") or path in known:
+            continue
+        if not made.isdisjoint(path.parents):
+            continue
+        problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
+
+
+def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
+    """JSON Schema's `$` is the end of the text; Python's is also before a line break at its end."""
+    import jsonschema
+
+    if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
+        yield jsonschema.ValidationError(f"{value!r} does not match {pattern!r}")
+
+
+def _is_integer(_: Any, value: Any) -> bool:
+    """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+@functools.cache
+def _validators(over: bool) -> dict[str, Any]:
+    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known.
+
+    An overlay needs no sources.
+    """
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    if over:
+        files = {name: _without_sources(schema) for name, schema in files.items()}
+    registry: referencing.Registry[Any] = referencing.Registry().with_resources(
+        (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
+    )
+    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
+
+
+def _without_sources(schema: Any) -> Any:
+    """The same schema, in which sources are not required."""
+    if isinstance(schema, dict):
+        return {
+            k: [x for x in v if x != "sources"] if k == "required" and isinstance(v, list) else _without_sources(v)
+            for k, v in schema.items()
+        }
+    return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
+
+
+# --------------------------------------------------------------------------- schema errors in words
+
+
+def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
+    errors = list(validator.iter_errors(root.plain()))
+    for error in errors:
+        path = list(error.absolute_path)
+        for extra, message in messages(error, name):
+            problems.add(root.at([*path, *extra]) if extra else root.value_at(path), message)
+    return not errors
+
+
+_ALONE = "; write the number alone if the name says it all"
+
+
+def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
+    """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
+    instance, schema, rule = error.instance, error.schema, error.validator_value
+    inside = _inside(list(error.absolute_path), root)
+    if "propertyNames" in error.absolute_schema_path:
+        yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
+        return
+    match error.validator:
+        case "additionalProperties":
+            known = schema.get("properties", {})
+            for key in sorted(set(instance) - set(known)):
+                rest = "; if it ends the text before it, put the whole text in quotes"
+                yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
+        case "required":
+            for key in rule:
+                if key not in instance:
+                    alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
+                    yield [], f"'{key}' is missing in {inside}{alone}"
+        case "type":
+            kinds = [rule] if isinstance(rule, str) else rule
+            wanted = _form(schema) or _kinds(kinds)
+            yield [], f"{inside} must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
+        case "enum":
+            known = [str(x) for x in rule]
+            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
+        case "const":
+            yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
+        case "pattern":
+            yield [], f"{inside} must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
+        case "minimum":
+            yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
+        case "exclusiveMinimum":
+            yield [], f"{inside} must be more than {rule}, not {_shown(instance)}"
+        case "maximum":
+            yield [], f"{inside} must be at most {rule}, not {_shown(instance)}"
+        case "minItems" | "minProperties" | "minLength":
+            yield [], f"{inside} must not be empty" if rule == 1 else f"{inside} must have at least {rule} items"
+        case "maxItems" | "maxProperties":
+            yield [], f"{inside} must have at most {rule} item{'s' if rule != 1 else ''}"
+        case _:
+            yield [], f"{inside}: {error.message}"
+
+
+def _inside(path: list[str | int], root: str) -> str:
+    """What an error is about: a key, or the item of a list."""
+    key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
+    return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
+
+
+def _instead(value: Any, kinds: list[str]) -> str:
+    """What to write in place of a value of the wrong kind, where that is plain.
+
+    >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
+    ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")
+    >>> _instead({}, ["array"]), _instead([], ["object"]), _instead("fast", ["integer"])
+    ("; begin each item with '- '", "; write 'key: value', without '- '", '')
+    """
+    match value:
+        case bool() | int() | float() if "string" in kinds:
+            return "; put it in quotes"
+        case dict() if "array" in kinds:
+            return "; begin each item with '- '"
+        case list() if "object" in kinds:
+            return "; write 'key: value', without '- '"
+        case str() if "boolean" in kinds and value.casefold() in BOOLEANS:
+            return f"; write {BOOLEANS[value.casefold()]}"
+        case str() if {"integer", "number"}.intersection(kinds):
+            return f"; write 0x{value}" if re.fullmatch("[0-9A-Fa-f]{2}", value) else strange(value)
+        case _:
+            return ""
+
+
+def _form(schema: Any) -> str | None:
+    """The description of a definition says what a value must look like; that of a property, which ends with a full
+    stop, says what it is for."""
+    words = str(schema.get("description", "."))
+    return None if words.endswith(".") else words
+
+
+def _kinds(kinds: list[str]) -> str:
+    words = {
+        "object": "a mapping",
+        "array": "a list",
+        "string": "text",
+        "integer": "a whole number",
+        "number": "a number",
+        "boolean": "true or false",
+        "null": "empty",
+    }
+    return " or ".join(words[k] for k in kinds)
+
+
+def _shown(value: Any) -> str:
+    match value:
+        case None:
+            return "nothing"
+        case bool():
+            return str(value).lower()
+        case dict():
+            return "a mapping"
+        case list():
+            return "a list"
+        case str() if len(value) > 60:
+            return repr(value[:60] + "…")
+        case _:
+            return repr(value)

@@ -1,0 +1,115 @@
+"""Problems of a specification, each with its place, and remedies for unknown words."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from mipgen.base.errors import Failure
+
+from . import spelling
+from .position import Position
+
+#: At most this many words are listed.
+MANY = 60
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Problem:
+    file: str
+    line: int
+    column: int
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}: error: {self.message}"
+
+
+class Problems:
+    """Collects problems, so that an author sees all of them in one run."""
+
+    def __init__(self) -> None:
+        self._found: set[Problem] = set()
+
+    def add(self, position: Position | None, message: str) -> None:
+        at = position or Position("<spec>", 1, 1)
+        self._found.add(Problem(at.file, at.line, at.column, message))
+
+    def __bool__(self) -> bool:
+        return bool(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def sorted(self) -> list[Problem]:
+        return sorted(self._found)
+
+    def raise_if_any(self) -> None:
+        if self._found:
+            raise SpecError(self.sorted())
+
+
+class SpecError(Failure):
+    """The specification cannot be used; `problems` says why."""
+
+    def __init__(self, problems: list[Problem]) -> None:
+        super().__init__("")
+        self.problems = problems
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.problems))
+
+
+def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
+    """The remedy for an unknown word: the one that was probably meant, else all that are known.
+
+    `guess`: suggest a similar word.
+
+    >>> nearest("discription", ["description", "title"])
+    ", did you mean 'description'?"
+    >>> nearest("int16_t", ["u8", "s16"])
+    ", did you mean 's16'?"
+    >>> nearest("mm", ["m", "s"], guess=False)
+    '; known: m, s'
+    >>> nearest("zzz", [])
+    ''
+    """
+    known = _ordered(choices)
+    return close(word, known, guess) or spelling.strange(word, "".join(known)) + _listed(word, known)
+
+
+def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
+    """The one word that was probably meant, if there is one."""
+    known = _ordered(choices)
+    if usual := spelling.usual(word, known):
+        return f", did you mean '{usual}'?"
+    straight = spelling.straight(word)
+    found = [straight] if straight in known else difflib.get_close_matches(straight, known, n=1) if guess else []
+    return f"{spelling.strange(word, ''.join(known))}, did you mean '{found[0]}'?" if found else ""
+
+
+def _ordered(choices: Iterable[str]) -> list[str]:
+    """Each once; in the order in which they are given, if they have one."""
+    return sorted(choices) if isinstance(choices, (set, frozenset)) else list(dict.fromkeys(choices))
+
+
+def _listed(word: str, known: list[str]) -> str:
+    """
+    >>> many = [f"{s}.field_{i}" for s in ("base", "filter") for i in range(MANY)]
+    >>> _listed("fliter.x", many)
+    '; known sets: base, filter'
+    >>> _listed("base.x", ["base.one", *many[-MANY:]])
+    "; known of the set 'base': base.one"
+    """
+    if not known:
+        return ""
+    if len(known) <= MANY:
+        return f"; known: {', '.join(known)}"
+    owners = list(dict.fromkeys(k.partition(".")[0] for k in known))
+    owner = word.partition(".")[0]
+    if owner in owners and len(owners) > 1:
+        return f"; known of the set '{owner}': {', '.join(k for k in known if k.partition('.')[0] == owner)}"
+    if len(owners) < len(known):
+        return f"; known sets: {', '.join(owners)}"
+    return f"; known: {', '.join(known[:MANY])}, … ({len(known)} in all)"

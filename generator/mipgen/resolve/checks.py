@@ -1,0 +1,381 @@
+"""Checks a resolved model. Each check is one function, which reports everything it finds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import PurePath
+
+from mipgen import model as m
+from mipgen.facts.misprints import differences
+from mipgen.lower.lengths import computed_length, same
+from mipgen.read.problems import Problems, nearest
+
+RESPONSE_DESCRIPTORS = range(0x80, 0xF1)
+COMMAND_DESCRIPTORS = range(0x01, 0x80)
+DATA_DESCRIPTORS = range(0x01, 0xD0)
+
+
+#: What the parameters of a timestamp are in.
+TIME_UNITS = {"week", "s", "ms", "us", "ns"}
+
+
+def check_definitions(model: m.Model, problems: Problems) -> None:
+    for check in (
+        fields,
+        set_numbers,
+        descriptors,
+        named,
+        names,
+        words,
+        enumerations,
+        bitfields,
+        replies,
+        clocks,
+        fields_of,
+    ):
+        check(model, problems)
+
+
+def check_evidence(model: m.Model, problems: Problems) -> None:
+    """Checks that make sense only once the definitions are right."""
+    for check in (package, descriptions, units, printed_lengths, printed_bytes, references):
+        check(model, problems)
+
+
+def fields(model: m.Model, problems: Problems) -> None:
+    """Pages and packages begin with a field."""
+    if not model.fields:
+        problems.add(model.protocol.acknowledge.position, "no set has a field; write one, in a file of sets/")
+
+
+def fields_of(model: m.Model, problems: Problems) -> None:
+    """What says of which set field descriptors are: a parameter beside them, or the name of a set."""
+    records: list[m.Field | m.Struct] = [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
+    for record in records:
+        sets = {p.name for p in record.parameters if p.shown == "set"}
+        names = {s.name for s in model.sets}
+        for p in record.parameters:
+            if p.fields_of and p.fields_of not in sets | names:
+                near = nearest(p.fields_of, sorted(sets | names))
+                message = f"'{p.fields_of}' is neither the name of a set nor a parameter with shown: set{near}"
+                problems.add(p.position, message)
+
+
+# --------------------------------------------------------------------------- sets and names
+
+
+def set_numbers(model: m.Model, problems: Problems) -> None:
+    seen: dict[int, m.Set] = {}
+    for s in model.sets:
+        if s.number in seen:
+            problems.add(
+                s.position,
+                f"0x{s.number:02X} is already the set '{seen[s.number].name}'; give '{s.name}' another number",
+            )
+        seen[s.number] = s
+
+
+def descriptors(model: m.Model, problems: Problems) -> None:
+    for s in model.families:
+        seen: dict[int, list[m.Field]] = {}
+        for f in s.fields:
+            _descriptor_range(s, f, problems)
+            layouts = seen.setdefault(f.descriptor, [])
+            beside = (g for g in layouts if not set(g.sets).isdisjoint(f.sets))
+            other = next((g for g in beside if not _told_apart(g, f)), None)
+            if other is None:
+                layouts.append(f)
+                continue
+            apart = ", or a const or a fixed size that tells the layouts apart" if f.role == m.RESPONSE else ""
+            problems.add(
+                f.position,
+                f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
+            )
+
+
+def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> None:
+    allowed = (
+        RESPONSE_DESCRIPTORS if f.role == m.RESPONSE
+        else COMMAND_DESCRIPTORS if f.role == m.COMMAND
+        else m.SHARED_DESCRIPTORS if s.kind == "shared"
+        else DATA_DESCRIPTORS
+    )  # fmt: skip
+    if f.descriptor not in allowed:
+        what = "shared data" if s.kind == "shared" else f.role
+        span = f"0x{allowed.start:02X} to 0x{allowed.stop - 1:02X}"
+        problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is not a {what} descriptor; use {span}")
+
+
+def _told_apart(a: m.Field, b: m.Field) -> bool:
+    """By a constant that differs; or, with the same constants, by their sizes."""
+    if a.role != m.RESPONSE or b.role != m.RESPONSE:
+        return False
+    mine = {(at, size): value for at, size, value in a.signature}
+    if any(mine.get((at, size), value) != value for at, size, value in b.signature):
+        return True
+    fixed = a.min_size == a.max_size and b.min_size == b.max_size
+    return a.signature == b.signature and fixed and a.min_size != b.min_size
+
+
+def named(model: m.Model, problems: Problems) -> None:
+    """A descriptor is either defined or only named."""
+    for s in model.families:
+        seen = {f.descriptor: f.name for f in s.fields}
+        for x in s.named:
+            _descriptor_range(s, x, problems)
+            if x.descriptor in seen:
+                problems.add(
+                    x.position,
+                    f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "
+                    "remove it from the named ones",
+                )
+            seen.setdefault(x.descriptor, x.name)
+
+
+def names(model: m.Model, problems: Problems) -> None:
+    """A type and a field of a set have different names, and so have two fields, other names included."""
+    for s in model.families:
+        fields = [(f.name, f.position) for f in s.fields]
+        others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
+        for entries in ([(t.name, getattr(t, "position", s.position)) for t in s.types] + fields, fields + others):
+            used: set[str] = set()
+            for name, place in entries:
+                if name in used:
+                    problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
+                used.add(name)
+
+
+def words(model: m.Model, problems: Problems) -> None:
+    """Names use the words of the vocabulary; those of an overlay are free."""
+    vocabulary = model.protocol.vocabulary
+    usual = {other: usage.word for usage in vocabulary for other in usage.instead_of}
+    folders = {PurePath(usage.position.file).parent for usage in vocabulary if usage.position}
+    unusual = re.compile(rf"(?<![^_])({'|'.join(map(re.escape, usual))})(?![^_])")
+    for name, place in _all_names(model) if usual else ():
+        for found in unusual.finditer(name):
+            if place is not None and not any(PurePath(place.file).is_relative_to(folder) for folder in folders):
+                continue
+            right = usual[found[1]]
+            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")
+
+
+def package(model: m.Model, problems: Problems) -> None:
+    """Names that begin like those of the package `mip` would be taken for these."""
+    own, package = m.OWN_PACKAGE, model.protocol.package
+    if package == own:
+        return
+    devices = ((d.name, d.position) for d in model.devices)
+    for name, place in (*_all_names(model), *_names_of(model.protocol.acknowledge.parameters), *devices):
+        if name == own or name.startswith(f"{own}_"):
+            renamed = package + name.removeprefix(own)
+            problems.add(place, f"the name '{name}' would become '{renamed}' in the package '{package}'; rename it")
+
+
+def clocks(model: m.Model, problems: Problems) -> None:
+    """Timestamps are data fields with a time in them, of one clock each."""
+    names = {f.name_in(o.set) for f in model.fields if f.role == m.DATA for o in f.occurrences}
+    seen: dict[str, str] = {}
+    for clock in model.protocol.clocks:
+        for name in clock.timestamps:
+            f = model.field(name)
+            if f is None or f.role != m.DATA:
+                problems.add(clock.position, f"no data field '{name}'{nearest(name, names)}")
+            elif name in seen:
+                problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'; remove one")
+            elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
+                units = ", ".join(sorted(TIME_UNITS))
+                problems.add(clock.position, f"'{name}' is no timestamp: none of its parameters is in {units}")
+            seen.setdefault(name, clock.name)
+
+
+def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
+    """Every name that an author has chosen."""
+    for t in _all_types(model):
+        yield t.name, getattr(t, "position", None)
+        match t:
+            case m.Enum():
+                yield from ((v.name, v.position) for v in t.values)
+            case m.Bitfield():
+                yield from ((b.name, b.position) for b in t.bits)
+            case m.Struct():
+                yield from _names_of(t.parameters)
+    for s in model.sets:
+        yield s.name, s.position
+    for f in model.fields:
+        yield f.name, f.position
+        yield from _names_of(f.parameters)
+
+
+def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Position | None]]:
+    for p in parameters:
+        yield p.name, p.position
+        yield from _names_of(tuple(c.parameter for c in p.cases if c.parameter is not None))
+
+
+# --------------------------------------------------------------------------- types
+
+
+def _all_types(model: m.Model) -> Iterator[m.Type]:
+    yield from model.all_types
+
+
+def enumerations(model: m.Model, problems: Problems) -> None:
+    for t in _all_types(model):
+        if not isinstance(t, m.Enum):
+            continue
+        seen: dict[int, str] = {}
+        for v in t.values:
+            if v.value >> (8 * t.scalar.size):
+                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit in {t.scalar.name}")
+            if v.value in seen:
+                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; remove one")
+            seen.setdefault(v.value, v.name)
+
+
+def bitfields(model: m.Model, problems: Problems) -> None:
+    for t in _all_types(model):
+        if not isinstance(t, m.Bitfield):
+            continue
+        used: list[m.Bits] = []
+        for b in t.bits:
+            other = next((o for o in used if o.mask & b.mask), None)
+            if other is not None and not b.alias:
+                problems.add(
+                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; add alias: true if it is meant to"
+                )
+            if not b.alias:
+                used.append(b)
+            for v in b.enum.values if b.enum else ():
+                if v.value >> b.width:
+                    problems.add(
+                        b.position,
+                        f"'{t.name}': {v.name} = {v.value} of '{b.enum.name if b.enum else ''}' "
+                        f"does not fit in {b.name}, which holds 0 to {b.mask >> b.first}",
+                    )
+                    break
+
+
+# --------------------------------------------------------------------------- fields
+
+
+def replies(model: m.Model, problems: Problems) -> None:
+    """A command that can be read needs a response to read it from, and the reverse."""
+    for f in model.fields:
+        if f.role != m.COMMAND or not f.functions:
+            continue
+        reads = any(x.responds for x in f.functions)
+        if reads and not f.responses:
+            problems.add(
+                f.position, f"'{f.name}' can be read, but has no response; add one, or remove R from functions"
+            )
+        if f.responses and not reads:
+            problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
+
+
+def _parameters(model: m.Model) -> Iterator[m.Parameter]:
+    """The parameters of all fields and structures, except the reserved ones."""
+    for parameters in (
+        model.protocol.acknowledge.parameters,
+        *(f.parameters for f in model.fields),
+        *(t.parameters for t in _all_types(model) if isinstance(t, m.Struct)),
+    ):
+        yield from (p for p in parameters if p.reserved is None)
+
+
+def descriptions(model: m.Model, problems: Problems) -> None:
+    for p in _parameters(model):
+        if not p.description:
+            problems.add(p.position, f"'{p.name}' has no description; say what it is")
+        for case in p.cases:
+            # The type of a case describes it; a plain number or a text has no type of its own.
+            if case.parameter and isinstance(case.parameter.element, m.Scalar) and not case.parameter.description:
+                problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; say what it is")
+
+
+def units(model: m.Model, problems: Problems) -> None:
+    """A float needs a unit, even if it is "1"; otherwise a forgotten unit would go unnoticed."""
+    for parameter in _parameters(model):
+        for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
+            scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+            varies = p.variants and all(v.units for v in p.variants)
+            if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
+                remedy = 'give it one ("1" for a plain number, ~ if another value decides it or nobody knows)'
+                problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
+
+
+# --------------------------------------------------------------------------- evidence
+
+
+def printed_lengths(model: m.Model, problems: Problems) -> None:
+    """A length in a manual either follows from the manual's own rule or has an erratum."""
+    rules = {x.id: x.lengths for x in model.protocol.manuals}
+    claimed_by = {(e.manual, c.subject) for e in model.errata for c in e.claims if c.kind == "length"}
+    differing = set()
+    for name, f, source in _printed(model):
+        if rules.get(source.manual) == "none":
+            problems.add(source.position, f"{source.manual} gives no lengths; remove that of '{name}'")
+            continue
+        expected = computed_length(f, rules.get(source.manual, "wire"))
+        if same(source.length or "", expected):
+            continue
+        differing.add((source.manual, name))
+        if (source.manual, name) not in claimed_by:
+            problems.add(
+                source.position,
+                f"{source.manual} gives the length {source.length} for '{name}', but its rule gives "
+                f"{expected}; correct it, or add an erratum that claims length: {name}",
+            )
+    every = (*model.fields, model.protocol.acknowledge)
+    names_ = {f.name_in(o.set) for f in every for o in f.occurrences}
+    for e in model.errata:
+        for c in e.claims:
+            if c.kind != "length":
+                continue
+            if c.subject not in names_:
+                problems.add(c.position, f"unknown field '{c.subject}'{nearest(c.subject, names_)}")
+            elif (e.manual, c.subject) not in differing:
+                problems.add(
+                    c.position,
+                    f"the length that {e.manual} gives for '{c.subject}' is correct (or not given); remove the claim",
+                )
+
+
+def _printed(model: m.Model) -> Iterator[tuple[str, m.Field, m.Source]]:
+    """The lengths that manuals print, each with the name of the field in the set for which it is printed."""
+    for f in (*model.fields, model.protocol.acknowledge):
+        for o in f.occurrences:
+            for source in o.sources:
+                if source.length not in (None, "unavailable"):
+                    yield f.name_in(o.set), f, source
+
+
+def printed_bytes(model: m.Model, problems: Problems) -> None:
+    """Bytes in a manual that differ from the correct ones have an erratum, and the reverse."""
+    claimed = {c.subject for e in model.errata for c in e.claims if c.kind == "example"}
+    by_id = {e.id: e for e in model.examples}
+    differing = {e.id for e in model.examples if differences(e)}
+    for name in sorted(differing - claimed):
+        what = "; ".join(differences(by_id[name]))
+        problems.add(
+            by_id[name].position,
+            f"the bytes of '{name}' in the manual are wrong ({what}); add an erratum that claims example: {name}",
+        )
+    for e in model.errata:
+        for c in e.claims:
+            if c.kind != "example":
+                continue
+            if c.subject not in by_id:
+                problems.add(c.position, f"unknown example '{c.subject}'{nearest(c.subject, by_id)}")
+            elif c.subject not in differing:
+                problems.add(c.position, f"the bytes of '{c.subject}' in the manual are correct; remove the claim")
+
+
+def references(model: m.Model, problems: Problems) -> None:
+    """An erratum that calls a reference undefined must be right."""
+    for e in model.errata:
+        for c in e.claims:
+            if c.kind == "reference":
+                number, descriptor = (int(x, 16) for x in c.subject.split(","))
+                if model.candidates(number, descriptor):
+                    problems.add(c.position, f"({c.subject}) is defined; remove the claim")

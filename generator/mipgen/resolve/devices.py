@@ -1,0 +1,337 @@
+"""Resolves devices: what each supports, and what its values mean where they differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+from . import inheritance, meaning
+from .types import Types
+from .variation import variant
+from .vocabulary import sentences, sources
+
+#: What a profile must have, unless it says what is not known of the device.
+REQUIRED = ("supports", "base_rates", "ack_codes")
+
+
+def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
+    """The model with its devices, and with what differs on them said of each parameter."""
+    names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
+    _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
+    _unique(names, "two devices are titled '{}'; rename one", problems)
+    numbers = (node["model_number"] for node in nodes if "model_number" in node)
+    _unique(numbers, "two devices have the model number {}; correct one", problems)
+    nodes = sorted(nodes, key=lambda node: str(node["device"].value))
+    whole = inheritance.resolve(nodes, families, model, problems)
+    found = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
+    model = _with_variants(model, found)
+    made = tuple(_Device(node, model, types, problems).resolve() for node in whole)
+    model = replace(model, devices=made)
+    _check_layouts(model, problems)
+    return model
+
+
+def _check_layouts(model: m.Model, problems: Problems) -> None:
+    """A device that sends a layout of a response supports a command that is answered with it."""
+    for f in (f for f in model.fields if f.devices):
+        able = {d.id for c in model.commands(f) for d, s in model.supports(c) if s.responds}
+        for name in f.devices:
+            if name not in able and model.device(name) is not None:
+                remedy = f"add '{f.family}.{f.command}' to what it supports, or remove it from devices"
+                problems.add(f.position, f"the device '{name}' does not send '{f.full_name}': {remedy}")
+
+
+def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
+    seen: set[object] = set()
+    for entry in entries:
+        if entry.value in seen:
+            problems.add(entry.position, message.format(entry.value))
+        seen.add(entry.value)
+
+
+# --------------------------------------------------------------------------- variants
+
+
+def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> Iterable[tuple[str, m.Variant]]:
+    """`varies` of a device: the path of a parameter -> what it is there."""
+    device, spec = node["device"].value, node.get("varies")
+    for path, case in spec.items() if spec else ():
+        assert spec is not None
+        name, _, last = path.rpartition(".")
+        f = model.field(name)
+        if f is None:
+            known = [x.full_name for x in (*model.fields, model.protocol.acknowledge)]
+            problems.add(
+                spec.keys[path], f"'{path}' is not a set.field.parameter: unknown field '{name}'{nearest(name, known)}"
+            )
+            continue
+        p = next((p for p in f.parameters if p.name == last), None)
+        if p is None:
+            near = nearest(last, [p.name for p in f.parameters])
+            problems.add(spec.keys[path], f"'{name}' has no parameter '{last}'{near}")
+            continue
+        yield f"{f.full_name}.{last}", variant(case, p, m.DEVICE, device, None, types.scope(f.family))
+
+
+def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Model:
+    """The same fields, with these variants added to their parameters."""
+    by_path: dict[str, list[m.Variant]] = {}
+    for path, v in found:
+        by_path.setdefault(path, []).append(v)
+
+    concerned = {path.rpartition(".")[0] for path in by_path}
+
+    def varied(f: m.Field) -> m.Field:
+        if f.full_name not in concerned:
+            return f
+        parameters = (
+            replace(p, variants=(*p.variants, *by_path.get(f"{f.full_name}.{p.name}", ()))) for p in f.parameters
+        )
+        return replace(f, parameters=tuple(parameters))
+
+    protocol = replace(model.protocol, acknowledge=varied(model.protocol.acknowledge))
+    families = tuple(replace(x, fields=tuple(varied(f) for f in x.fields)) for x in model.families)
+    return replace(model, protocol=protocol, families=families)
+
+
+# --------------------------------------------------------------------------- one device
+
+
+@dataclass(frozen=True, slots=True)
+class _Device:
+    node: Node
+    model: m.Model
+    types: Types
+    problems: Problems
+
+    @property
+    def id(self) -> str:
+        return str(self.node["device"].value)
+
+    def place(self, key: str) -> m.Position:
+        """Where something is missing: at the key that should have it, else at the device."""
+        return self.node.keys.get(key, self.node.position)
+
+    def resolve(self) -> m.Device:
+        node = self.node
+        self.complete()
+        manual = node.get("manual")
+        manuals = [x.id for x in self.model.protocol.manuals]
+        if manual is not None and manual.value not in manuals:
+            self.problems.add(manual.position, meaning.unknown_manual(manual.value, manuals))
+        for key in ("limits", "notes"):
+            entries = (entry["name"] for entry in node.get(key) or ())
+            _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
+        supports = self.supports()
+        self.check_varies(supports)
+        like = node.scalar("like")
+        return m.Device(
+            id=self.id,
+            name=node["name"].value,
+            title=node["title"].value,
+            description=node.scalar("description", ""),
+            also=sentences(node, "also"),
+            model_number=node.scalar("model_number"),
+            generation=node.scalar("generation"),
+            manual=manual.value if manual else None,
+            sources=sources(node, self.types.vocabulary, self.problems),
+            like=like if like in self.types.vocabulary.devices else None,
+            supports=supports,
+            base_rates=self.rates(supports),
+            ports=tuple(
+                m.Port(p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()), tuple(p["protocols"].plain()))
+                for p in node.get("ports") or ()
+            ),
+            limits=tuple(self.limit(n) for n in node.get("limits") or ()),
+            notes=tuple(
+                m.Note(
+                    n["name"].value, n["title"].value, n["description"].value,
+                    tuple(tuple(str(c) for c in row) for row in n["rows"].plain()) if "rows" in n else (),
+                )
+                for n in node.get("notes") or ()
+            ),
+            variants=tuple(
+                m.DeviceVariant(f, p, v)
+                for f in (self.model.protocol.acknowledge, *self.model.fields)
+                for p in f.parameters
+                for v in p.variants
+                if v.by_device and v.key == self.id
+            ),
+            ack_codes=self.codes(),
+            incomplete=sentences(node, "incomplete"),
+            uncertain=sentences(node, "uncertain"),
+            position=node.position,
+        )  # fmt: skip
+
+    def complete(self) -> None:
+        """A profile has everything, or it says what is not known."""
+        if "description" not in self.node:
+            self.problems.add(self.node.position, "'description' is missing; say in one short sentence what it is")
+        for key in REQUIRED if not sentences(self.node, "incomplete") else ():
+            if key not in self.node or (key != "base_rates" and not self.node[key].value):
+                place = self.node.position
+                self.problems.add(place, f"'{key}' is missing; write it, or say in incomplete what is not known")
+
+    # ----------------------------------------------------------------------- support
+
+    def listed(self) -> Iterator[tuple[Node, str | None]]:
+        """The lists of fields by set, each with the evidence for it if it is not certain."""
+        if "supports" in self.node:
+            yield self.node["supports"], None
+        for group in self.node.get("may_support") or ():
+            yield group["fields"], group["evidence"].value
+
+    def supports(self) -> tuple[m.Support, ...]:
+        found: dict[str, m.Support] = {}
+        functions, deprecated = self.functions(), self.node.get("deprecated")
+        for node, evidence in self.listed():
+            for set_name, entries in node.items():
+                of = next((s for s in self.model.sets if s.name == set_name), None)
+                if of is None:
+                    near = nearest(set_name, [s.name for s in self.model.sets])
+                    self.problems.add(node.keys[set_name], f"unknown set '{set_name}'{near}")
+                    continue
+                known = {f.name: f for f in self.model.fields_in(of) if f.role != m.RESPONSE}
+                for entry in entries:
+                    f, full = known.get(entry.value), f"{set_name}.{entry.value}"
+                    if f is None:
+                        self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
+                    elif full in found:
+                        self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
+                    else:
+                        own = functions.get(full)
+                        taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
+                        instead = deprecated.scalar(full) if deprecated else None
+                        found[full] = m.Support(f, of.number, taken, evidence, instead)
+        for key in ("functions", "deprecated"):
+            for full, _ in self.node[key].items() if key in self.node else ():
+                f = self.model.field(full)
+                if full not in found and not (key == "functions" and (f is None or not f.functions)):
+                    self.unsupported(key, full, full)
+        return tuple(sorted(found.values(), key=lambda s: (s.set, s.field.descriptor)))
+
+    def unsupported(self, key: str, entry: str, field: str) -> None:
+        known = self.model.field(field)
+        if known is None:
+            near = nearest(field, [f.full_name for f in self.model.fields])
+            self.problems.add(self.node[key].keys[entry], f"unknown field '{field}'{near}")
+        else:
+            place = self.node[key].keys[entry]
+            self.problems.add(place, f"the device does not support '{field}'; add it to supports")
+
+    def functions(self) -> dict[str, Node]:
+        """Full name -> letters, where the device takes others than the definition says."""
+        node = self.node.get("functions")
+        found = {}
+        for name, letters in node.items() if node else ():
+            assert node is not None
+            field = self.model.field(name)
+            if field is None or not field.functions:
+                known = [f.full_name for f in self.model.fields if f.functions]
+                self.problems.add(node.keys[name], f"there is no command '{name}' with functions{nearest(name, known)}")
+                continue
+            extra = set(letters.value) - set(m.letters(field.functions))
+            if extra:
+                more = "".join(sorted(extra))
+                self.problems.add(
+                    letters.position, f"'{name}' is not defined with the functions {more}; add them to its definition"
+                )
+            found[name] = letters
+        return found
+
+    # ----------------------------------------------------------------------- what differs
+
+    def check_varies(self, supports: tuple[m.Support, ...]) -> None:
+        """Variations belong to fields that the device supports; those that need one per device have it."""
+        fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
+        known = {f.name_in(o.set) for f in (self.model.protocol.acknowledge, *fields) for o in f.occurrences}
+        for path in self.node["varies"].value if "varies" in self.node else ():
+            name = path.rpartition(".")[0]
+            if self.model.field(name) is not None and name not in known:
+                self.unsupported("varies", path, name)
+        for f in {f.full_name: f for f in fields}.values():
+            for p in f.parameters:
+                self.check_reading(f, p)
+                self.check_valid(f, p)
+
+    def own(self, p: m.Parameter) -> m.Variant | None:
+        return next((v for v in p.variants if v.by_device and v.key == self.id), None)
+
+    def check_reading(self, f: m.Field, p: m.Parameter) -> None:
+        """A parameter whose values are read by device needs a reading from each that supports it."""
+        own = self.own(p)
+        if p.by_device and not (own and (own.type or own.unknown)):
+            path = f"{f.full_name}.{p.name}"
+            self.problems.add(
+                self.place("varies"),
+                f"the device must say how it reads '{path}'; add {path}: {{type: ...}} to varies, or {path}: unknown",
+            )
+
+    def check_valid(self, f: m.Field, p: m.Parameter) -> None:
+        """The bit that says whether a value is valid is one that the flags have on this device."""
+        own = self.own(p)
+        explicit = own is not None and own.valid is not None
+        path = f"{f.full_name}.{p.name}"
+        if explicit:
+            varies = self.node.get("varies")
+            node = varies.get(path) if varies is not None else None  # None: of the device that it is like
+            if node is not None and node["valid"].value is not None:
+                meaning.valid_bits(node, p, f.parameters, self.problems.add)
+        for word in dict.fromkeys((own.valid or ()) if own and explicit else p.valid):
+            name, dot, bit = word.partition(".")
+            flags = next((q for q in f.parameters if q.name == name), None)
+            known = self.bits(flags) if dot and flags else None
+            if known is not None and flags is not None and bit in meaning.bits(flags) - known:
+                remedy = (
+                    f"give the bit that says whether '{p.name}' is valid, {path}: {{valid: ...}}, or ~ if there is none"
+                )
+                self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
+
+    def bits(self, flags: m.Parameter) -> set[str] | None:
+        """The bits that flags have here, if they are others than elsewhere."""
+        own = self.own(flags)
+        if own is not None and own.only:
+            return {x.name for x in own.only}
+        return {b.name for b in own.type.bits} if own is not None and isinstance(own.type, m.Bitfield) else None
+
+    # ----------------------------------------------------------------------- the rest
+
+    def rates(self, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
+        """The base rates that are known."""
+        node = self.node.get("base_rates")
+        known = {s.name: s for s in self.model.sets if s.kind == "data"}
+        given = dict(node.items()) if node else {}
+        for name in given:
+            if name not in known:
+                assert node is not None
+                self.problems.add(node.keys[name], f"unknown data set '{name}'{nearest(name, known)}")
+        for name in sorted({s.name.partition(".")[0] for s in supports}):
+            if name in known and name not in given:
+                self.problems.add(
+                    self.place("base_rates"),
+                    f"the rate of '{name}' is missing (0 if its data is sent as it arrives, ~ if it is not known)",
+                )
+        return tuple(
+            m.Rate(known[name], rate.value) for name, rate in given.items() if name in known and rate.value is not None
+        )
+
+    def limit(self, node: Node) -> m.Limit:
+        unit = node.scalar("unit")
+        known = [u.symbol for u in self.model.protocol.units]
+        if unit is not None and unit not in known:
+            self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
+        return m.Limit(node["name"].value, node["value"].value, unit, node["description"].value)
+
+    def codes(self) -> tuple[int, ...]:
+        node, of = self.node.get("ack_codes"), self.model.protocol.ack_code
+        if node is None:
+            return ()
+        known = {v.value for v in of.values}
+        for code in node if of is not self.model.protocol.function_selector else ():
+            if code.value not in known:
+                self.problems.add(code.position, f"'{of.name}' has no value {code.value}; add it to the enumeration")
+        return tuple(node.plain())

@@ -1,0 +1,228 @@
+"""Devices that are like another one, or like a family: what they add, lack and change.
+
+A profile is inherited as nodes, before anything in it is resolved, so that every mistake keeps its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+#: What is inherited unless it is given.
+TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
+#: What is inherited entry by entry: by the name of a field, a parameter or a set.
+KEYED = ("functions", "deprecated", "varies", "base_rates")
+#: The same for lists, by the name of each entry.
+NAMED = ("ports", "limits", "notes")
+
+
+def resolve(devices: Iterable[Node], families: Iterable[Node], model: m.Model, problems: Problems) -> list[Node]:
+    """The devices, each with all that it inherits."""
+    return _Profiles(list(devices), list(families), model, problems).devices()
+
+
+@dataclass
+class _Profiles:
+    own: list[Node]
+    families: list[Node]
+    model: m.Model
+    problems: Problems
+
+    def devices(self) -> list[Node]:
+        self.known: dict[str, Node] = {}
+        for node in (*self.own, *self.families):
+            name = _name(node)
+            if name.value in self.known:
+                self.problems.add(name.position, f"'{name.value}' is defined twice; rename one")
+            self.known.setdefault(name.value, node)
+        whole = [self.whole(node, ()) for node in self.own]
+        used = {node["like"].value for node in self.known.values() if "like" in node}
+        for node in self.families:
+            if node["family"].value not in used:
+                place = node["family"].position
+                self.problems.add(place, f"no device is like the family '{node['family'].value}'; remove it")
+        return whole
+
+    def whole(self, node: Node, below: tuple[str, ...]) -> Node:
+        """A profile with all that it inherits; `below` are those that inherit from it."""
+        like = node.get("like")
+        if like is None:
+            for key in ("lacks", "without"):
+                if key in node:
+                    self.problems.add(node.keys[key], f"'{key}' is for a device that is like another; remove it")
+            return node
+        chain = (*below, _name(node).value)
+        if like.value in chain:
+            loop = " -> ".join((*chain[chain.index(like.value) :], like.value))
+            self.problems.add(like.position, f"the device is like itself: {loop}; break the loop")
+            return _orphan(node)
+        parent = self.known.get(like.value)
+        if parent is None:
+            known = [name for name in self.known if name not in chain]
+            near = nearest(like.value, known)
+            self.problems.add(like.position, f"there is no device or family '{like.value}'{near}")
+            return _orphan(node)
+        return _Heir(node, self.whole(parent, chain), like.value, self.model, self.problems).node()
+
+
+def _name(node: Node) -> Node:
+    return node["device"] if "device" in node else node["family"]
+
+
+def _orphan(node: Node) -> Node:
+    """A profile whose inheritance is not to be found: nothing is missing in it but that."""
+    reason = Node("What it inherits is not known.", node["like"].position)
+    return replace(node, value={"description": reason, **node.value, "incomplete": Node([reason], reason.position)})
+
+
+@dataclass(frozen=True, slots=True)
+class _Heir:
+    own: Node
+    parent: Node
+    like: str
+    model: m.Model
+    problems: Problems
+
+    def node(self) -> Node:
+        value = {key: node for key, node in self.own.items() if key not in ("lacks", "without")}
+        for key in TAKEN:
+            if key in self.parent:
+                value.setdefault(key, self.parent[key])
+        if "sources" in self.parent:
+            value["sources"] = self.listed("sources", [*self.parent["sources"], *(self.own.get("sources") or ())])
+        lacked = self.lacked()
+        value["supports"] = self.supports(lacked)
+        value["may_support"] = self.may_support(lacked, value["supports"])
+        before = self.names(self.parent.get("supports"), self.parent.get("may_support"))
+        gone = before - self.names(value["supports"], value["may_support"])
+        for key in KEYED:
+            value[key] = self.keyed(key, gone)
+        for key in NAMED:
+            value[key] = self.named(key)
+        keys = {key: self.own.keys.get(key, self.own.position) for key in value}
+        return replace(self.own, value=value, keys=keys)
+
+    def listed(self, key: str, value: list[Node]) -> Node:
+        return Node(value, self.own.keys.get(key, self.own.position))
+
+    def mapped(self, key: str, value: dict[str, Node], keys: dict[str, m.Position]) -> Node:
+        return Node(value, self.own.keys.get(key, self.own.position), keys)
+
+    # ----------------------------------------------------------------------- fields
+
+    def lacked(self) -> set[str]:
+        """The fields that the other has and this one has not."""
+        found = set()
+        known = {*_fields(self.parent.get("supports")), *_evident(self.parent)}
+        for full, entry in _fields(self.own.get("lacks")).items():
+            if full not in known:
+                near = nearest(full, known)
+                self.problems.add(entry.position, f"'{self.like}' does not support '{full}'{near}")
+            found.add(full)
+        return found
+
+    def supports(self, lacked: set[str]) -> Node:
+        """What the other supports and is not lacked, then what is added."""
+        found: dict[str, list[Node]] = {}
+        inherited = _fields(self.parent.get("supports"))
+        added = _listed(self.own.get("supports"))
+        for full, entry in added:
+            self.check_new(full, entry, lacked, inherited)
+        out = lacked | {full for full, _ in added}
+        for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
+            found.setdefault(full.partition(".")[0], []).append(entry)
+        keys: dict[str, m.Position] = {}
+        for node in (self.parent, self.own):
+            keys |= node["supports"].keys if "supports" in node else {}
+        return self.mapped("supports", {name: self.listed(name, entries) for name, entries in found.items()}, keys)
+
+    def may_support(self, lacked: set[str], supports: Node) -> Node:
+        """The same for support that is not certain; support that has become certain is not included."""
+        inherited = {**_evident(self.parent), **_fields(self.parent.get("supports"))}
+        own = self.own.get("may_support")
+        for full, entry in _evident(self.own).items():
+            self.check_new(full, entry, lacked, inherited)
+        groups = [
+            *_left(self.parent.get("may_support"), lacked | {*_fields(supports)}),
+            *_left(own, {*inherited} - lacked),
+        ]
+        return self.listed("may_support", groups)
+
+    def check_new(self, full: str, entry: Node, lacked: set[str], inherited: dict[str, Node]) -> None:
+        if full in inherited and full not in lacked:
+            self.problems.add(entry.position, f"'{self.like}' already supports '{full}'; remove it")
+
+    def names(self, supports: Node | None, may_support: Node | None) -> set[str]:
+        """The fields that are supported, perhaps, with their responses; and their sets."""
+        found = set()
+        for full in (*_fields(supports), *(full for group in may_support or () for full in _fields(group["fields"]))):
+            f = self.model.field(full)
+            found |= {full, full.partition(".")[0], *(r.full_name for r in (self.model.responses(f) if f else ()))}
+        return found
+
+    # ----------------------------------------------------------------------- the rest
+
+    def keyed(self, key: str, gone: set[str]) -> Node:
+        """Statements about fields and sets that are still present, then those made here."""
+        inherited, own = self.parent.get(key), self.own.get(key)
+        without = self.without(key, list(inherited.value) if inherited else [])
+        found: dict[str, Node] = {}
+        keys: dict[str, m.Position] = {}
+        for name, node in inherited.items() if inherited else ():
+            of = name.rpartition(".")[0] if key == "varies" else name
+            if of not in gone and name not in without:
+                assert inherited is not None
+                found[name], keys[name] = node, inherited.keys[name]
+        return self.mapped(key, {**found, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
+
+    def named(self, key: str) -> Node:
+        """The entries of both; one of the same name takes the place of the other's."""
+        found = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
+        for name in self.without(key, list(found)):
+            found.pop(name, None)
+        own = list(self.own.get(key) or ())
+        again = {entry["name"].value: entry for entry in own}
+        kept = [again.pop(name, entry) for name, entry in found.items()]
+        return self.listed(key, [*kept, *(x for x in own if x not in kept)])
+
+    def without(self, key: str, known: list[str]) -> set[str]:
+        """Names of entries that are not inherited."""
+        lists = self.own.get("without")
+        entries = list(lists[key]) if lists is not None and key in lists else []
+        for entry in entries:
+            if entry.value not in known:
+                near = nearest(entry.value, known)
+                self.problems.add(entry.position, f"'{self.like}' has no '{entry.value}' in {key}{near}")
+        return {entry.value for entry in entries}
+
+
+def _listed(node: Node | None) -> list[tuple[str, Node]]:
+    """Full name and entry of each field that is listed by set."""
+    return [(f"{name}.{entry.value}", entry) for name, entries in (node.items() if node else ()) for entry in entries]
+
+
+def _fields(node: Node | None) -> dict[str, Node]:
+    return dict(_listed(node))
+
+
+def _evident(node: Node) -> dict[str, Node]:
+    """The same of the fields that a profile may support."""
+    return {full: x for group in node.get("may_support") or () for full, x in _fields(group["fields"]).items()}
+
+
+def _left(groups: Node | None, out: set[str]) -> list[Node]:
+    """The groups of fields that a profile may support, without some fields."""
+    found = []
+    for group in groups or ():
+        fields = {}
+        for name, entries in group["fields"].items():
+            kept = [x for x in entries if f"{name}.{x.value}" not in out]
+            if kept:
+                fields[name] = replace(entries, value=kept)
+        if fields:
+            found.append(replace(group, value={**group.value, "fields": replace(group["fields"], value=fields)}))
+    return found

@@ -1,0 +1,400 @@
+"""Turns parameters into operations.
+
+What the wire looks like is decided here: sizes, capacities, presence. Nothing downstream computes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from mipgen import model as m
+from mipgen.lower import codec, extent
+from mipgen.lower.extent import REST
+from mipgen.lower.operations import open_ended, operation, with_capacity
+from mipgen.read.nodes import Node
+from mipgen.read.problems import nearest
+
+from . import meaning, variation
+from .vocabulary import sentences
+
+if TYPE_CHECKING:
+    from .types import Types
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """The layout of a field or of a structure."""
+
+    parameters: tuple[m.Parameter, ...]
+    operations: tuple[m.Operation, ...]
+    min_size: int
+    max_size: int
+
+
+@dataclass
+class Layout:
+    """Works through the parameters of one record, in wire order."""
+
+    types: Types
+    owner: str | None
+    functions: str = ""
+    plain: bool = False
+    inside: bool = False
+    whole: Node | None = None  # the field, for what it says of all its values
+    before: int = 0  # bytes of the record around it, of a union's case
+    nodes: list[Node] = field(default_factory=list)
+    done: list[m.Parameter] = field(default_factory=list)
+
+    def problem(self, position: m.Position | None, message: str) -> None:
+        self.types.problems.add(position, message)
+
+    @property
+    def least(self) -> int:
+        """The fewest bytes that all parameters so far take."""
+        return self.taken(self.done)
+
+    def taken(self, parameters: Sequence[m.Parameter]) -> int:
+        """The fewest bytes that a field has with these parameters."""
+        return self.before + (1 if self.functions else 0) + extent.fewest(p.operation for p in parameters)
+
+    def earlier(self, name: str) -> m.Parameter | None:
+        return next((p for p in self.done if p.name == name), None)
+
+    # ------------------------------------------------------------------ one parameter
+
+    def add(self, node: Node) -> None:
+        name = node["name"].value
+        if self.earlier(name) or (self.functions and name == "function"):
+            self.problem(node["name"].position, f"the parameter '{name}' is defined twice; rename one")
+            return
+        if self.done and open_ended(self.done[-1].operation):
+            last = self.done[-1].name
+            self.problem(node.position, f"'{name}' cannot follow '{last}', which takes the rest of the field")
+            return
+        parameter = self.union(node) if "switch" in node or "cases" in node else self.value(node)
+        if parameter is not None:
+            self.done.append(self.meaning(node, parameter))
+            self.nodes.append(node)
+
+    def union(self, node: Node) -> m.Parameter | None:
+        name = node["name"].value
+        if "switch" not in node or "cases" not in node or "type" in node:
+            self.problem(node.position, f"the union '{name}' needs switch and cases, and no type")
+            return None
+        tag_name = node["switch"].value
+        tag = self.earlier(tag_name)
+        if tag is None:
+            near = nearest(tag_name, [p.name for p in self.done])
+            self.problem(node["switch"].position, f"no parameter '{tag_name}' comes before '{name}'{near}")
+            return None
+        if not isinstance(tag.element, m.Enum) or tag.length is not None:
+            self.problem(node["switch"].position, f"'{tag_name}' is not an enumeration, so it cannot select a case")
+            return None
+        cases: list[m.Case] = []
+        for label, case in node["cases"].items():
+            value = tag.element.by_name(label)
+            if value is None:
+                near = nearest(label, [v.name for v in tag.element.values])
+                self.problem(node["cases"].keys[label], f"'{tag.element.name}' has no value '{label}'{near}")
+            elif not case.value:
+                cases.append(m.Case(value, None, None))
+            else:
+                member = self.case(label, case, node["cases"].keys[label])
+                if member is None:
+                    continue
+                if any(c.parameter and c.parameter.name == member.name for c in cases):
+                    self.problem(member.position, f"two cases of '{name}' are called '{member.name}'; rename one")
+                cases.append(m.Case(value, member, member.operation))
+        missing = [v.name for v in tag.element.values if v.name not in node["cases"].value]
+        if missing:
+            self.problem(
+                node.keys["cases"],
+                f"the union '{name}' has no case for {', '.join(missing)} of '{tag.element.name}'; "
+                "add one ({} if it is empty)",
+            )
+        op = m.SwitchOp(name, tag_name, tag.element, tuple(cases))
+        return m.Parameter(name, None, None, op, tag=tag_name, cases=tuple(cases), position=node.position)
+
+    def case(self, label: str, node: Node, place: m.Position) -> m.Parameter | None:
+        """The one parameter of a union's case."""
+        if "type" not in node:
+            self.problem(place, f"the case '{label}' needs a type, or to be empty: {{}}")
+            return None
+        count = node.scalar("count")
+        if isinstance(count, str) and count != REST:
+            self.problem(
+                node["count"].position, f"the case '{label}' cannot be counted; use a structure with a counter"
+            )
+            return None
+        named = Node({**node.value, "name": node.get("name") or Node(label, place)}, place, node.keys)
+        alone = Layout(self.types, self.owner, plain=True, before=self.least)
+        alone.add(named)
+        return next(iter(alone.finish().parameters), None)
+
+    def value(self, node: Node) -> m.Parameter | None:
+        name = node["name"].value
+        if "type" not in node:
+            self.problem(node.position, f"the parameter '{name}' needs a type, or switch and cases")
+            return None
+        type_name = node["type"].value
+        element: m.Scalar | m.Type | None = m.SCALARS.get(type_name)
+        if element is None:
+            element = self.types.find(type_name, node["type"].position, self.owner)
+        if element is None:
+            return None
+        if "const" in node:
+            return self.constant(node, name, element)
+        length = node.scalar("count")
+        if length is not None and isinstance(element, m.Struct) and not element.fixed:
+            self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
+            return None
+        if length is not None and isinstance(element, m.Bitfield) and element.scalar is None:
+            self.problem(node["count"].position, f"'{type_name}' is a wide bitfield, so there can be no array of it")
+            return None
+        if isinstance(length, str) and length != REST and not self.counter(node, name, length):
+            return None
+        return m.Parameter(name, element, length, operation(name, element, length), position=node.position)
+
+    def constant(self, node: Node, name: str, element: m.Scalar | m.Type) -> m.Parameter | None:
+        value = node["const"].value
+        if not (isinstance(element, m.Scalar) and element.kind == "unsigned" and "count" not in node):
+            self.problem(node.keys["const"], f"the constant '{name}' must be one unsigned number")
+            return None
+        if value >> (8 * element.size):
+            self.problem(node["const"].position, f"{value} does not fit in {element.name}")
+        op = m.ConstantOp(name, element, value, element.size)
+        return m.Parameter(name, element, None, op, constant=value, position=node.position)
+
+    def counter(self, node: Node, name: str, counter: str) -> bool:
+        """Marks the parameter `counter` as the number of elements of `name`."""
+        place = node["count"].position
+        for i, p in enumerate(self.done):
+            if p.name == counter:
+                single = isinstance(p.element, m.Scalar) and p.element.kind == "unsigned" and p.length is None
+                if not single or p.constant is not None or p.reserved is not None:
+                    self.problem(place, f"'{counter}' cannot count '{name}': it is not one unsigned number")
+                    return False
+                if p.counts:
+                    self.problem(place, f"'{counter}' already counts '{p.counts}'; give '{name}' its own counter")
+                    return False
+                assert isinstance(p.element, m.Scalar)
+                op = m.CounterOp(counter, p.element, name, p.element.size)
+                self.done[i] = replace(p, counts=name, operation=op)
+                return True
+        near = nearest(counter, [p.name for p in self.done])
+        self.problem(place, f"the counter '{counter}' of '{name}' must be a parameter before it{near}")
+        return False
+
+    def meaning(self, node: Node, p: m.Parameter) -> m.Parameter:
+        """Adds what the value means to how it is laid out."""
+        words = self.types.vocabulary
+        low, high = meaning.limits(node, p, self.problem)
+        above, below = meaning.open_limits(node, p, low, high, self.problem)
+        magnitude = meaning.magnitude(node, p, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
+        frame = meaning.frame(node, words.frames, self.problem)
+        elements = meaning.elements(p, frame, words.frames)
+        if elements and isinstance(p.element, m.Vector):
+            wanted = f"vectors in the frame {frame} have the elements {', '.join(elements)}"
+            remedy = f"{p.element.name} has {', '.join(p.element.elements)}; use another type"
+            self.problem(node["type"].position, f"{wanted}, but {remedy}")
+        return replace(
+            p,
+            reserved=meaning.reserved(node, p, self.problem),
+            description=node.scalar("description", ""),
+            units=meaning.units(node, p, words.units, self.problem),
+            any_unit="unit" in node and node["unit"].value is None,
+            frame=frame,
+            default=meaning.default(node, p, self.problem),
+            shown=node.scalar("shown"),
+            fields_of=node.scalar("fields_of", ""),
+            valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
+            required_for=self.presence(node, p),
+            optional=self.may_be_absent(node, p),
+            by_device=variation.differs_by_device(node, p, self.problem),
+            deprecated=node.scalar("deprecated", False),
+            notes=sentences(node, "notes"),
+            uncertain=sentences(node, "uncertain"),
+        )
+
+    def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
+        """The functions that require a parameter: those that it names, and those that are like them."""
+        if self.plain:
+            return ()
+        letters, optional = node.scalar("for"), node.scalar("optional", False)
+        if not self.functions:
+            if letters is not None:
+                self.problem(
+                    node.keys["for"], f"'{p.name}' has 'for', but the field has no function selector; remove it"
+                )
+            return ()
+        if (letters is None) == (not optional):
+            known = "".join(self.functions)
+            place = node.keys.get("for", node.position)
+            self.problem(
+                place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
+            )
+            return ()
+        extra = [c for c in letters or "" if c not in self.functions]
+        if extra:
+            self.problem(
+                node["for"].position,
+                f"'{p.name}' is required for {''.join(extra)}, but the command takes only {self.functions}",
+            )
+        functions = self.types.vocabulary.letters(self.functions)
+        named = {f.name for f in functions if f.letter in (letters or "")}
+        return tuple(f for f in functions if f.name in named or f.like in named)
+
+    def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
+        if self.inside and "optional" in node:
+            self.problem(
+                node.keys["optional"], f"'{p.name}' is in a structure, where nothing is optional; remove 'optional'"
+            )
+        return "optional" in node and not self.plain and not self.inside
+
+    # ------------------------------------------------------------------ the whole
+
+    def finish(self) -> Record:
+        for node, p in zip(self.nodes, self.done, strict=True):
+            if p.valid:
+                meaning.valid_bits(node, p, self.done, self.problem)
+        if self.whole is not None and "valid" in self.whole:
+            self.vouch(self.whole)
+        scope = self.types.scope(self.owner)
+        self.done = [
+            replace(p, variants=found) if (found := variation.by_sibling(node, p, self.done, scope)) else p
+            for node, p in zip(self.nodes, self.done, strict=True)
+        ]
+        self.check_size()
+        capacities = self.capacities()
+        self.done = [
+            p if (op := with_capacity(p.operation, capacities)) is p.operation else replace(p, operation=op)
+            for p in self.done
+        ]
+        parameters = tuple(self.typical(node, p) for node, p in zip(self.nodes, self.done, strict=True))
+        if self.functions:
+            return self.with_selector(parameters)
+        first = next((i for i, p in enumerate(parameters) if p.optional), len(parameters))
+        for p in parameters[first:]:
+            if not p.optional:
+                self.problem(p.position, f"'{p.name}' is required but comes after an optional parameter; reorder them")
+        for p in parameters[:first]:
+            if p.counts in [q.name for q in parameters[first:]]:
+                self.problem(
+                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both optional"
+                )
+        always = tuple(p.operation for p in parameters[:first])
+        groups = self.groups(parameters[first:], first)
+        return Record(parameters, always + groups, extent.fewest(always), extent.most(p.operation for p in parameters))
+
+    def typical(self, node: Node, p: m.Parameter) -> m.Parameter:
+        """The parameter with its typical value, in the form of the codec."""
+        meaning.check_shown(node, p, self.problem)
+        if "typical" not in node:
+            return p
+        given, found = node["typical"], list[tuple[m.Position, str]]()
+        meaning.check_typical(node, p, lambda place, message: found.append((place, message)))
+        try:
+            value = codec.canonical(p.operation, given.plain(), p.name)
+        except ValueError as error:
+            for place, message in found or [(given.position, f"the typical value of {error}")]:
+                self.problem(place, message)
+            return p
+        for place, message in found:
+            self.problem(place, message)
+        if isinstance(p.operation, (m.ArrayOp, m.TextOp)) and len(value) > p.operation.capacity:
+            most = p.operation.capacity
+            self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {most} fit")
+        return replace(p, typical=value)
+
+    def vouch(self, whole: Node) -> None:
+        """`valid` of the field: for each value that has none of its own, and is neither the flags nor derived."""
+        flags = whole["valid"].value.partition(".")[0]
+        concerned = [
+            i
+            for i, (node, p) in enumerate(zip(self.nodes, self.done, strict=True))
+            if not ("valid" in node or p.name == flags or p.derived or p.reserved is not None)
+        ]
+        for i in concerned:
+            self.done[i] = replace(self.done[i], valid=meaning.valid(whole))
+        if concerned:
+            meaning.valid_bits(whole, self.done[concerned[0]], self.done, self.problem)
+        else:
+            self.problem(whole.keys["valid"], "each value has a 'valid' of its own; remove that of the field")
+
+    def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
+        words = self.types.vocabulary
+        u8 = m.SCALARS["u8"]
+        op = m.ScalarOp("function", u8, words.selector, 1)
+        selector = m.Parameter("function", words.selector, None, op, "What to do with the setting.", selector=True)
+        for function in words.letters(self.functions):
+            needs = [function in p.required_for for p in parameters]
+            if not all(needs[: sum(needs)]):
+                late = parameters[len(needs) - 1 - needs[::-1].index(True)]
+                self.problem(
+                    late.position,
+                    f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
+                    "what a function requires must come first",
+                )
+        whole = extent.most([op, *(p.operation for p in parameters)])
+        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), op.size, whole)
+
+    def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
+        """Parameters that are present or absent together: one each, but a counter stays with its array."""
+        names = [p.name for p in parameters]
+        found: list[m.Operation] = []
+        i = 0
+        while i < len(parameters):
+            end = i
+            j = i
+            while j <= end:
+                counted = parameters[j].counts
+                if counted in names:
+                    end = max(end, names.index(counted))
+                j += 1
+            members = parameters[i : end + 1]
+            if all(p.constant is not None for p in members):
+                self.problem(
+                    members[0].position,
+                    f"the constant '{members[0].name}' may be absent, and nothing would tell; "
+                    "put it before every parameter that may be absent",
+                )
+            for p in members:
+                if p.required_for != members[0].required_for or p.optional != members[0].optional:
+                    what = f"all from '{members[0].name}' to '{members[-1].name}'"
+                    self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
+                    break
+            found.append(m.GroupOp(before + i + 1, before + end + 1, tuple(p.operation for p in members)))
+            i = end + 1
+        return tuple(found)
+
+    def check_size(self) -> None:
+        """Points at the parameter with which a field is too long even in its shortest form."""
+        used = self.before + (1 if self.functions else 0)
+        for p in self.done:
+            used += extent.size(p.operation)[0]
+            if isinstance(p.element, m.Struct) and p.element.min_size > m.MAX_FIELD_DATA:
+                return  # said of the structure
+            if used > m.MAX_FIELD_DATA:
+                self.problem(
+                    p.position, f"with '{p.name}' the field has {used} bytes of data; the most is {m.MAX_FIELD_DATA}"
+                )
+                return
+
+    def capacities(self) -> dict[str, int]:
+        """The maximum number of items of each array of open length, if nothing that may be absent is present."""
+        found = {}
+        for i, p in enumerate(self.done):
+            if isinstance(p.length, str):
+                op = p.operation
+                assert isinstance(op, (m.ArrayOp, m.TextOp))
+                before, behind = self.done[: i + 1], self.done[i + 1 :]
+                always = [*before, *(q for q in behind if not (self.functions or q.optional))]
+                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.element(op))
+                counter = self.earlier(p.length)
+                if counter is not None and isinstance(counter.element, m.Scalar):
+                    most = min(most, (1 << (8 * counter.element.size)) - 1)
+                found[p.name] = most
+        return found

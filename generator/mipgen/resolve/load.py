@@ -1,0 +1,205 @@
+"""Builds the model from the nodes: follows every reference, computes every size."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from mipgen import model as m
+from mipgen.facts import references
+from mipgen.read import loader
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+from . import checks, devices, evidence, guides, simulation
+from .sets import Families
+from .types import Types
+from .vocabulary import Vocabulary, sources
+
+
+def load_model(spec: Path, *overlays: Path) -> m.Model:
+    """Loads, resolves and checks a specification with its overlays; raises SpecError with all problems.
+
+    What the manuals show is checked only once the definitions are right: otherwise it would seem wrong.
+    """
+    collecting = gc.isenabled()
+    gc.disable()  # nothing of a model is garbage; looking for it takes a quarter of the time
+    try:
+        return _loaded(spec, overlays)
+    finally:
+        if collecting:
+            gc.enable()
+
+
+def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
+    problems = Problems()
+    documents = loader.load(spec, overlays, problems)
+    problems.raise_if_any()
+    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
+    types, model = definitions(roots, problems)
+    checks.check_definitions(model, problems)
+    sound = not problems
+    model = devices.resolve(roots["device"], roots["family"], model, types, problems)
+    if sound:
+        manuals = types.vocabulary.manuals
+        examples = evidence.examples(roots["examples"], model, problems)
+        errata = evidence.errata(roots["errata"], manuals, problems)
+        model = replace(model, examples=examples, errata=errata)
+        checks.check_evidence(model, problems)
+        simulated = simulation.resolve(roots["simulation"], roots["protocol"][0]["units"], model, problems)
+        model = replace(model, simulation=simulated)
+        model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
+        references.check((root for found in roots.values() for root in found), model, problems)
+    problems.raise_if_any()
+    programs = sorted(p for p in (spec / "programs").glob("*") if p.is_file())
+    return replace(model, programs=tuple((p.name, p.read_text("utf-8")) for p in programs))
+
+
+def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:
+    """The protocol, the types and the sets."""
+    root = roots["protocol"][0]
+    functions = _functions(root["functions"], problems)
+    manuals = _manuals(roots["manual"], problems)
+    words = Vocabulary(
+        units=list(root["units"].value),
+        frames={name: _names(n.get("elements")) for name, n in root["frames"].items()},
+        manuals={x.id: x for x in manuals},
+        devices={d["device"].value for d in roots["device"]},
+        functions=functions,
+        selector=_selector(functions),
+    )
+    types = Types(words, problems)
+    for node in roots["types"]:
+        types.define(None, node["types"])
+    for node in roots["set"]:
+        types.define(node["name"].value, node.get("types"))
+        types.parts[node["name"].value] = dict(node["parts"].value) if "parts" in node else {}
+    shared = types.of(None)
+    protocol = _protocol(root, types, functions, problems)
+    families = Families(types, problems).resolve(roots["set"])
+    return types, m.Model(protocol, shared, families)
+
+
+# --------------------------------------------------------------------------- protocol
+
+
+def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
+    found: list[m.Function] = []
+    for name, n in node.items():
+        letter, value = n["letter"], n["value"]
+        for other in found:
+            if other.letter == letter.value:
+                problems.add(letter.position, f"'{other.name}' already has the letter {letter.value}; choose another")
+            if other.value == value.value:
+                problems.add(value.position, f"'{other.name}' already has the value {value.value}; choose another")
+        like = n.get("like")
+        if like is not None and like.value not in node:
+            problems.add(like.position, f"unknown function '{like.value}'{nearest(like.value, node.value)}")
+        found.append(
+            m.Function(
+                name,
+                letter.value,
+                value.value,
+                reply=n.scalar("reply", True),
+                responds=n.scalar("responds", False),
+                sets=n.scalar("sets", False),
+                like=like.value if like else None,
+                description=n["description"].value,
+            )
+        )
+    return tuple(sorted(found, key=lambda f: f.value))
+
+
+def _selector(functions: Iterable[m.Function]) -> m.Enum:
+    values = tuple(m.EnumValue(f.name, f.value, f.description) for f in functions)
+    return m.Enum("function_selector", m.SCALARS["u8"], values, "What a settings command is asked to do.", None)
+
+
+def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], problems: Problems) -> m.Protocol:
+    node = root["acknowledge"]
+    record = types.record(list(node["parameters"]), None)
+    codes = [p.element for p in record.parameters if isinstance(p.element, m.Enum)]
+    if len(codes) != 1:
+        problems.add(node.keys["parameters"], "the acknowledge field needs exactly one enumeration: the code")
+        codes.append(types.vocabulary.selector)  # as a substitute, to find further problems
+    cited = sources(node, types.vocabulary, problems)
+    acknowledge = m.Field(
+        family="protocol", occurrences=(m.Occurrence(0, "protocol", node["title"].value, cited),),
+        everywhere=m.COMMAND_SETS, name=node["name"].value, descriptor=node["descriptor"].value, role=m.RESPONSE,
+        title=node["title"].value, description=node["description"].value, parameters=record.parameters,
+        operations=record.operations, min_size=record.min_size, max_size=record.max_size,
+        sources=cited, position=node.position,
+    )  # fmt: skip
+    first, second = root["sync"].plain()
+    return m.Protocol(
+        name=root["name"].value,
+        title=root.scalar("title", f"{root['name'].value} protocol"),
+        package=root.scalar("package", m.OWN_PACKAGE),
+        keywords=_names(root.get("keywords")),
+        version=root["version"].value,
+        sync=(first, second),
+        max_payload=root["max_payload"].value,
+        functions=functions,
+        acknowledge=acknowledge,
+        ack_code=codes[0],
+        function_selector=types.vocabulary.selector,
+        units=_words(root["units"]),
+        frames=_words(root["frames"]),
+        manuals=tuple(types.vocabulary.manuals.values()),
+        notes=tuple(
+            m.Chapter(n["title"].value, tuple(n["text"].plain()), sources(n, types.vocabulary, problems))
+            for n in root.get("notes") or ()
+        ),
+        vocabulary=_vocabulary(root.get("vocabulary")),
+        clocks=_clocks(root.get("clocks")),
+        leap_seconds=tuple(sorted(root["leap_seconds"].plain().items())) if "leap_seconds" in root else (),
+    )
+
+
+def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
+    """The manuals in the order of their document numbers."""
+    found: dict[str, m.Manual] = {}
+    for node in nodes:
+        name = node["manual"].value
+        if name in found:
+            problems.add(node["manual"].position, f"the manual '{name}' is defined twice; rename one")
+        sections = tuple(node["sections"].plain()) if "sections" in node else ()
+        found[name] = m.Manual(
+            name, node["title"].value, node["document"].value, node["lengths"].value, sections,
+            node.scalar("kind", "manual"),
+        )  # fmt: skip
+    return sorted(found.values(), key=lambda x: (x.document, x.id))
+
+
+def _clocks(node: Node | None) -> tuple[m.Clock, ...]:
+    return tuple(
+        m.Clock(
+            name, n["title"].value, n.scalar("description", ""), n.scalar("epoch"), tuple(n["timestamps"].plain()),
+            n["timestamps"].position,
+        )
+        for name, n in node.items()
+    ) if node else ()  # fmt: skip
+
+
+def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
+    return tuple(m.Usage(word, tuple(x.plain()), node.keys[word]) for word, x in node.items()) if node else ()
+
+
+def _words(node: Node) -> tuple[m.Word, ...]:
+    return tuple(
+        m.Word(
+            symbol=symbol,
+            title=n["title"].value,
+            description=n.scalar("description", ""),
+            plural=n.scalar("plural", ""),
+            numbered=n.scalar("numbered", False),
+            elements=_names(n.get("elements")),
+        )
+        for symbol, n in node.items()
+    )
+
+
+def _names(node: Node | None) -> tuple[str, ...]:
+    return tuple(node.plain()) if node else ()

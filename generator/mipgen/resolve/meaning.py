@@ -1,0 +1,360 @@
+"""The meaning of values: unit, frame, range, default, valid flag."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import close, nearest
+
+Problem = Callable[[m.Position, str], None]
+Number = int | float
+
+
+def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
+    """The message for a word that is missing in a vocabulary, which is in the file `home`.
+
+    >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
+    ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
+    """
+    known = list(known)
+    remedy = close(word, known, guess) or f"{nearest(word, known, guess)}; add a new one to {home}"
+    return f"unknown {what} '{word}'{remedy}"
+
+
+def unknown_unit(word: str, known: Iterable[str]) -> str:
+    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units may differ by one letter
+
+
+def unknown_manual(word: str, known: Iterable[str]) -> str:
+    return unknown("manual", word, known, "manuals/")
+
+
+def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
+    """The manual and the section that a source, an example or an erratum names."""
+    manual, section = node["manual"].value, node["section"].value
+    known = manuals.get(manual)
+    if known is None:
+        problem(node["manual"].position, unknown_manual(manual, manuals))
+    elif known.sections and section not in known.sections:
+        near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
+        problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
+    return manual, section
+
+
+def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
+    """One unit for all elements, or one for each."""
+    given = node.get("unit")
+    if given is None or given.value is None:
+        return ()
+    entries = list(given) if isinstance(given.value, list) else [given]
+    for entry in entries:
+        if entry.value not in known:
+            problem(entry.position, unknown_unit(entry.value, known))
+    width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
+    if isinstance(given.value, list) and len(entries) != width:
+        problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")
+    return tuple(entry.value for entry in entries)
+
+
+def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
+    found: str | None = node.scalar("frame")
+    if found is not None and found not in known:
+        problem(node["frame"].position, unknown("frame", found, known, "protocol.yaml"))
+    return found
+
+
+def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """What a vector has in a frame, if not the elements of its type; matrices and quaternions have the same in all."""
+    own = p.element.elements if isinstance(p.element, m.Vector) else ()
+    found = frames.get(frame or "", ())
+    return found if len(found) == len(own) and found != own else ()
+
+
+def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
+    """The range, if there is one."""
+    if "range" not in node:
+        return None, None
+    element, (low, high) = p.element, node["range"].plain()
+    scalar = element.scalar if isinstance(element, m.Vector) else element
+    if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+        problem(node["range"].position, f"'{p.name}' is not a number, so it has no range; remove it")
+        return None, None
+    for entry in node["range"]:
+        if entry.value is not None:
+            _fits(entry, scalar, f"a bound of the range of '{p.name}'", problem)
+    if low is not None and high is not None and low > high:
+        problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
+    return low, high
+
+
+def open_limits(
+    node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
+) -> tuple[Number | None, Number | None]:
+    """What the value must be greater than, and less than."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    found: dict[str, Number] = {}
+    for key, closed in (("above", low), ("below", high)):
+        if key not in node:
+            continue
+        entry = node[key]
+        if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+            problem(node.keys[key], f"'{p.name}' is not a number, so it has no bounds; remove '{key}'")
+        elif closed is not None:
+            problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
+        elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
+            found[key] = entry.value
+    above, below = found.get("above"), found.get("below")
+    least, most = low if above is None else above, high if below is None else below
+    if found and least is not None and most is not None and least >= most:
+        problem(node.keys[min(found)], f"no number lies between the bounds of '{p.name}'; correct them")
+    return above, below
+
+
+def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
+    """The least and the most length of a vector."""
+    if "magnitude" not in node:
+        return None, None
+    given = node["magnitude"]
+    low, high = given.plain()
+    if not isinstance(p.element, m.Vector) or p.length is not None or isinstance(node.scalar("unit"), list):
+        problem(node.keys["magnitude"], f"'{p.name}' is not a vector of one unit, so it has no magnitude; remove it")
+    elif (low or 0) < 0 or (high is not None and high <= (low or 0)):
+        problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0 on, in order")
+    return low, high
+
+
+def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
+    """The smallest and the largest number that a scalar holds.
+
+    >>> bounds(m.SCALARS["s8"]), bounds(m.SCALARS["u16"]), bounds(m.SCALARS["bool"])
+    ((-128, 127), (0, 65535), (0, 1))
+    """
+    bits = 8 * scalar.size
+    match scalar.kind:
+        case "signed":
+            return -(1 << (bits - 1)), (1 << (bits - 1)) - 1
+        case "float":
+            return -math.inf, math.inf
+        case "bool":
+            return 0, 1
+        case _:
+            return 0, (1 << bits) - 1
+
+
+def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
+    """The value to send for a reserved parameter."""
+    found: int | None = node.scalar("reserved")
+    if found is None:
+        return None
+    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed", "float")):
+        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a number, or an array of them")
+        return None
+    _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
+    return float(found) if p.element.kind == "float" else found
+
+
+def default(node: Node, p: m.Parameter, problem: Problem) -> object:
+    """The factory default, in the form of the parameter: a number, a value name, a list."""
+    given = node.get("default")
+    if given is None:
+        return None
+    check_default(given, p, problem)
+    value: object = given.plain()
+    return value
+
+
+def check_default(given: Node, p: m.Parameter, problem: Problem) -> None:
+    """Reports a value that the parameter cannot have."""
+    _Default(p, problem).check(given)
+
+
+def check_typical(node: Node, p: m.Parameter, problem: Problem) -> None:
+    """Reports a `typical` value that the parameter cannot have, or that follows from others."""
+    if p.derived or p.reserved is not None or p.element is None:
+        why = "it has one value" if p.counts is None else f"'{p.counts}' says how many there are"
+        why = "its cases may have one each" if p.element is None else why
+        problem(node.keys["typical"], f"'{p.name}' has no typical value: {why}; remove it")
+    else:
+        _Default(p, problem, "typical value").check(node["typical"])
+
+
+def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
+    """Reports a number that is no number of a set or a field, or that is never shown."""
+    what, whole = p.shown, isinstance(p.element, m.Scalar) and p.element.kind == "unsigned"
+    if what is not None and not whole:
+        problem(node.keys["shown"], f"'{p.name}' is not an unsigned number; remove 'shown'")
+    elif what in ("set", "field") and isinstance(p.element, m.Scalar) and p.element.size != 1:
+        problem(node.keys["shown"], f"'{p.name}' is {p.element.name}, but the number of a {what} is u8; write hex")
+    members = p.element.parameters if isinstance(p.element, m.Struct) else (p,)
+    if p.fields_of and not any(q.shown == "field" for q in members):
+        problem(node.keys["fields_of"], f"'{p.name}' holds no field descriptor; mark it by shown: field")
+
+
+class _Default:
+    """A default, or another value that an author gives; `what` it is called."""
+
+    def __init__(self, p: m.Parameter, problem: Problem, what: str = "default") -> None:
+        self.p = p
+        self.problem = problem
+        self.what = what
+
+    def wrong(self, node: Node, wanted: str) -> None:
+        self.problem(node.position, f"the {self.what} of '{self.p.name}' must be {wanted}")
+
+    def check(self, node: Node) -> None:
+        p = self.p
+        if p.length is None:
+            self.one(node)
+        elif isinstance(p.element, m.Scalar) and p.element.kind == "char":
+            most = p.length if isinstance(p.length, int) else m.MAX_FIELD_DATA
+            if not isinstance(node.value, str) or len(node.value) > most:
+                self.wrong(node, f"text of at most {most} characters, in quotes")
+        else:
+            self.items(node, p.length)
+
+    def items(self, node: Node, length: int | str) -> None:
+        if not isinstance(node.value, list) or (isinstance(length, int) and len(node.value) != length):
+            self.wrong(node, f"a list of {length} items" if isinstance(length, int) else "a list")
+            return
+        for item in node:
+            self.one(item)
+
+    def one(self, node: Node) -> None:
+        value, element = node.value, self.p.element
+        match element:
+            case m.Vector():
+                if not isinstance(value, list) or len(value) != len(element.elements):
+                    self.wrong(node, f"a list of {len(element.elements)} numbers: {', '.join(element.elements)}")
+                    return
+                for item in node:
+                    self.number(item, element.scalar)
+                self.length(node)
+            case m.Enum() if isinstance(value, str):
+                self.named(node, value, element.name, "value", [v.name for v in element.values])
+            case m.Bitfield() if isinstance(value, list):
+                for item in node:
+                    self.named(item, item.value, element.name, "bit", [b.name for b in element.bits])
+            case m.Enum() | m.Bitfield() if element.scalar is not None:
+                wanted = "the name of a value" if isinstance(element, m.Enum) else "a list of names of bits"
+                if isinstance(value, int) and not isinstance(value, bool):
+                    self.number(node, element.scalar)
+                else:
+                    self.wrong(node, f"{wanted} of '{element.name}', or a number")
+            case m.Scalar():
+                self.number(node, element)
+            case m.Struct() if self.what != "default":
+                self.members(node, element)
+            case m.Bitfield() if self.what != "default":
+                if not isinstance(value, str) or not re.fullmatch(f"[0-9A-Fa-f]{{{2 * element.size}}}", value):
+                    self.wrong(node, f"{2 * element.size} hexadecimal digits in quotes")
+            case _:
+                self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
+
+    def members(self, node: Node, element: m.Struct) -> None:
+        if not isinstance(node.value, dict):
+            self.wrong(node, f"a mapping of members of '{element.name}' to values")
+            return
+        known = {q.name: q for q in element.parameters if not q.derived and q.element is not None}
+        for name, item in node.items():
+            if name in known:
+                _Default(known[name], self.problem, self.what).check(item)
+            else:
+                self.problem(node.keys[name], f"'{element.name}' has no member '{name}'{nearest(name, known)}")
+
+    def length(self, node: Node) -> None:
+        low, high = self.p.magnitude
+        numbers = [x for x in node.plain() if isinstance(x, (int, float))]
+        if not (low or 0) <= math.hypot(*numbers) <= (math.inf if high is None else high):
+            wrong = f"the magnitude {math.hypot(*numbers):g}, outside of [{_end(low)}, {_end(high)}]"
+            self.problem(node.position, f"the {self.what} of '{self.p.name}' has {wrong}")
+
+    def named(self, node: Node, name: object, owner: str, what: str, known: list[str]) -> None:
+        if name not in known:
+            self.problem(node.position, f"'{owner}' has no {what} '{name}'{nearest(str(name), known)}")
+
+    def number(self, node: Node, scalar: m.Scalar) -> None:
+        value, p = node.value, self.p
+        if scalar.kind == "bool":
+            if not isinstance(value, bool):
+                self.wrong(node, "true or false")
+        elif not isinstance(value, (int, float)) or isinstance(value, bool):
+            self.wrong(node, "a number")
+        elif _fits(node, scalar, f"the {self.what} of '{p.name}'", self.problem):
+            low, high = p.minimum, p.maximum
+            if (low is not None and value < low) or (high is not None and value > high):
+                span = f"[{_end(low)}, {_end(high)}]"
+                self.problem(node.position, f"the {self.what} of '{p.name}' is {value}, outside its range {span}")
+            if p.above is not None and value <= p.above:
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be greater than {p.above}"
+                )
+            if p.below is not None and value >= p.below:
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be less than {p.below}"
+                )
+
+
+def _end(bound: Number | None) -> str:
+    """The end of a range, as an author writes it."""
+    return "~" if bound is None else str(bound)
+
+
+def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
+    value, (low, high) = node.value, bounds(scalar)
+    if scalar.kind != "float" and isinstance(value, float):
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only whole numbers")
+        return False
+    if not low <= value <= high:
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only {low} to {high}")
+        return False
+    return True
+
+
+def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
+    """`valid: flags.bit` names a bit of a parameter of the same record, `valid: flag` a bool; a list, one for each."""
+    given = node["valid"]
+    entries = list(given) if isinstance(given.value, list) else [given]
+    width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
+    if isinstance(given.value, list) and len(entries) != width:
+        problem(given.position, f"'{p.name}' has {len(entries)} valid bits; give one, or one for each element")
+    names = {q.name: q for q in beside}
+    for entry in entries:
+        _valid_bit(entry, p, names, problem)
+
+
+def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], problem: Problem) -> None:
+    flags, dot, bit = node.value.partition(".")
+    other = names.get(flags)
+    if other is None:
+        problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
+        return
+    if not dot:
+        if other.element is not m.SCALARS["bool"] or other.length is not None:
+            problem(
+                node.position,
+                f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
+            )
+        return
+    known = bits(other)
+    if not known:
+        problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
+    elif bit not in known:
+        problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+
+
+def bits(flags: m.Parameter) -> set[str]:
+    """The names of its bits, in any of its readings."""
+    return {
+        b.name for t in (flags.element, *(v.type for v in flags.readings)) if isinstance(t, m.Bitfield) for b in t.bits
+    }
+
+
+def valid(node: Node) -> tuple[str, ...]:
+    given = node.get("valid")
+    if given is None or given.value is None:
+        return ()
+    return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)

@@ -1,0 +1,350 @@
+"""Resolves families: descriptor sets, the fields that occur in them, and their responses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+from .types import Types
+from .vocabulary import sentences, short_name, sources
+
+ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
+
+#: Keys of a field that suit one role only.
+COMMAND_KEYS = ("functions", "responses", "silent_when", "sent_by", "timeout")
+DATA_KEYS = ("max_rate",)
+
+
+@dataclass
+class Families:
+    types: Types
+    problems: Problems
+    silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
+
+    def resolve(self, nodes: list[Node]) -> tuple[m.Family, ...]:
+        found: dict[str, m.Family] = {}
+        for node in sorted(nodes, key=_first):
+            name = node["name"].value
+            if name in found:
+                self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
+                continue
+            found[name] = self.family(node)
+        self.types.unused()
+        homes = {name: name for name in found}
+        for s in (s for x in found.values() for s in x.sets):
+            if homes.setdefault(s.name, s.family) != s.family:
+                self.problems.add(s.position, f"two sets are called '{s.name}'; rename one")
+        return self.silenced(sorted(found.values(), key=lambda x: x.number))
+
+    def family(self, node: Node) -> m.Family:
+        name = node["name"].value
+        sets = self.sets(node)
+        kind = sets[0].kind
+        common = {
+            name: sources(entry, self.types.vocabulary, self.problems, "every_field")
+            for name, entry in (node["sets"].items() if "sets" in node else ())
+            if "every_field" in entry
+        }
+        places = _Places("sets" in node, sets, common, self.types, self.problems)
+        fields: list[m.Field] = []
+        for entry in node.get("fields") or ():
+            fields += self.field(entry, name, kind, places)
+        fields = self.shared(node, fields)
+        order = {m.COMMAND: 0, m.DATA: 0, m.RESPONSE: 1}
+        fields.sort(key=lambda f: (order[f.role], f.descriptor))
+        return m.Family(
+            name, kind, node["title"].value, node["description"].value, sets, self.types.of(name), tuple(fields),
+            sources(node, self.types.vocabulary, self.problems), self.named(node, kind),
+            sentences(node, "uncertain"), node.position,
+        )  # fmt: skip
+
+    def sets(self, node: Node) -> tuple[m.Set, ...]:
+        """The descriptor sets of a family: the one that has its name, or those below `sets`."""
+        family = node["name"].value
+        if "sets" in node and "set" in node:
+            self.problems.add(node.keys["set"], "a family has 'sets' in place of 'set'; remove it")
+        if "sets" not in node:
+            return (self.set(node, node["set"].value, family, family, node.position),)
+        found: list[m.Set] = []
+        for name, entry in node["sets"].items():
+            s = self.set(entry, entry["set"].value, name, family, node["sets"].keys[name])
+            found.append(s)
+            if s.kind != "data":
+                self.problems.add(entry["set"].position, f"'{name}' is a {s.kind} set; only data sets share fields")
+        return tuple(sorted(found, key=lambda s: s.number))
+
+    def set(self, node: Node, number: int, name: str, family: str, place: m.Position) -> m.Set:
+        kind: m.Kind = "command" if number in m.COMMAND_SETS else "data" if number in m.DATA_SETS else "shared"
+        return m.Set(
+            number, name, kind, node["title"].value, node["description"].value, family,
+            sources(node, self.types.vocabulary, self.problems), sentences(node, "uncertain"), place,
+        )  # fmt: skip
+
+    def field(self, node: Node, family: str, kind: m.Kind, places: _Places) -> list[m.Field]:
+        """A command with its responses, or a data field."""
+        role: m.Role = m.COMMAND if kind == "command" else m.DATA
+        wrong = m.DATA if role == m.COMMAND else m.COMMAND
+        if role not in node or wrong in node:
+            place = node.keys.get(wrong, node.position)
+            self.problems.add(place, f"a field of the {kind} set '{family}' begins with '{role}: 0x..'")
+            return []
+        for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
+            if key in node:
+                self.problems.add(node.keys[key], f"a {role} field has no '{key}'; remove it")
+        letters = node.scalar("functions", "") if role == m.COMMAND else ""
+        functions = self.types.vocabulary.letters(letters)
+        unknown = sorted(set(letters) - {f.letter for f in functions})
+        if unknown:
+            known = "".join(f.letter for f in self.types.vocabulary.functions)
+            self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {known}")
+            letters = "".join(c for c in letters if c not in unknown)
+        record = self.types.record(list(node.get("parameters") or ()), family, letters, whole=node)
+        occurrences = places.of(node)
+        command = m.Field(
+            family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
+            title=node["title"].value, description=node["description"].value,
+            parameters=record.parameters, operations=record.operations,
+            min_size=record.min_size, max_size=record.max_size,
+            sources=places.cited(node, occurrences),
+            functions=functions, everywhere=m.DATA_SETS if kind == "shared" else None,
+            max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
+            advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
+            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"), keywords=sentences(node, "keywords"),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            short=short_name(node, node["name"].value, self.problems), position=node.position,
+        )  # fmt: skip
+        if role == m.COMMAND and "silent_when" in node:
+            self.silences[command.full_name] = node["silent_when"]
+        responses, names = [], []
+        for entry in node.get("responses") or ():
+            made = self.response(entry, node, command)
+            if made is not None:
+                responses.append(made)
+            if made is not None or "same_as" in entry:
+                names.append(made.name if made else entry["same_as"].value)
+        return [replace(command, responses=tuple(names)), *responses]
+
+    def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
+        if "same_as" in node:
+            for key in set(node.value) - {"same_as"}:
+                self.problems.add(node.keys[key], f"a response with same_as has no '{key}' of its own; remove it")
+            return None
+        if "response" not in node:
+            self.problems.add(
+                node.position,
+                "a response begins with 'response: 0x..', or with 'same_as' and the name of another command's response",
+            )
+            return None
+        listed = node.get("parameters")
+        plain = listed is not None and listed.value == "as_command"
+        if listed is not None and isinstance(listed.value, str) and not plain:
+            self.problems.add(listed.position, f"parameters: '{listed.value}' is neither a list nor as_command")
+            return None
+        nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
+        nodes = self.described(node, nodes, command, plain)
+        record = self.types.record(nodes, command.family, plain=plain, whole=node)
+        lengths = node.get("lengths")
+        for manual in lengths.value if lengths else ():
+            known = [s.manual for s in command.sources]
+            if manual not in known:
+                assert lengths is not None
+                self.problems.add(
+                    lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}"
+                )
+        name = node.scalar("name", f"{command.name}_response")
+        usual = f"{command.short}_response" if command.short and "name" not in node else None
+        title = node.scalar("title", f"{command.title} response")
+        cited = tuple(
+            replace(s, length=str(lengths[s.manual].value), position=lengths[s.manual].position)
+            if lengths and s.manual in lengths
+            else replace(s, length=None)
+            for s in command.sources
+        )
+        return m.Field(
+            family=command.family, occurrences=tuple(
+                replace(o, title=title, sources=cited, position=node.position) for o in command.occurrences
+            ), name=name,
+            descriptor=node["response"].value, role=m.RESPONSE,
+            title=title,
+            description=node.scalar("description", ""),
+            parameters=record.parameters, operations=record.operations,
+            min_size=record.min_size, max_size=record.max_size,
+            sources=cited,
+            command=command.name, devices=self.devices(node.get("devices")),
+            when=self.conditions(node.get("when"), command),
+            also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            short=short_name(node, name, self.problems) or usual, position=node.position,
+        )  # fmt: skip
+
+    def described(self, node: Node, nodes: list[Node], command: m.Field, plain: bool) -> list[Node]:
+        """The parameters of a response, with its own descriptions of those that it has from its command."""
+        own = node.get("descriptions")
+        if own is None:
+            return nodes
+        if not plain:
+            place = node.keys["descriptions"]
+            remedy = "give each parameter its own description"
+            self.problems.add(place, f"descriptions are for a response with parameters: as_command; {remedy}")
+            return nodes
+        nodes = list(self.types.included(nodes, command.family))
+        known = [n["name"].value for n in nodes]
+        for name in own.value:
+            if name not in known:
+                self.problems.add(own.keys[name], f"the command has no parameter '{name}'{nearest(name, known)}")
+        return [
+            Node({**n.value, "description": own[name]}, n.position, n.keys) if (name := n["name"].value) in own else n
+            for n in nodes
+        ]
+
+    def devices(self, node: Node | None) -> tuple[str, ...]:
+        """The devices that send a layout."""
+        known = self.types.vocabulary.devices
+        for entry in node or ():
+            if entry.value not in known:
+                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, known)}")
+        return tuple(node.plain()) if node else ()
+
+    # ----------------------------------------------------------------------- conditions
+
+    def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
+        """Parameters of a command, and the values that they must have."""
+        found = [self.condition(name, node.keys[name], entry, command) for name, entry in node.items()] if node else []
+        return tuple(c for c in found if c is not None)
+
+    def condition(self, name: str, place: m.Position, entry: Node, command: m.Field) -> m.Condition | None:
+        parameter = next((p for p in command.parameters if p.name == name), None)
+        if parameter is None:
+            near = nearest(name, [p.name for p in command.parameters])
+            self.problems.add(place, f"the command has no parameter '{name}'{near}")
+            return None
+        value = entry.value
+        if isinstance(value, str) and isinstance(parameter.element, m.Enum):
+            known = parameter.element.by_name(value)
+            if known is not None:
+                return m.Condition(name, known.value, value)
+            near = nearest(value, [v.name for v in parameter.element.values])
+            self.problems.add(entry.position, f"'{parameter.element.name}' has no value '{value}'{near}")
+        elif isinstance(value, (bool, int)):
+            return m.Condition(name, int(value), str(value).lower())
+        else:
+            wanted = "a whole number, true, false, or the name of a value of its enumeration"
+            self.problems.add(entry.position, f"'{name}' must be {wanted}")
+        return None
+
+    def silenced(self, families: list[m.Family]) -> tuple[m.Family, ...]:
+        """The same families, with what keeps commands from being acknowledged: it may be a setting of any command."""
+        commands = {f.full_name: f for x in families for f in x.fields if f.role == m.COMMAND}
+        found: dict[str, m.Field] = {}
+        for name, node in self.silences.items():
+            own: list[m.Condition] = []
+            others: list[m.Condition] = []
+            for path, entry in node.items():
+                place = node.keys[path]
+                other, _, parameter = path.rpartition(".")
+                if other and other not in commands:
+                    self.problems.add(place, f"no command '{other}'{nearest(other, commands)}")
+                elif c := self.condition(parameter, place, entry, commands[other or name]):
+                    (others if other else own).append(replace(c, command=other or None))
+            found[name] = replace(commands[name], silent_when=tuple(own), silenced_by=tuple(others))
+        return tuple(replace(x, fields=tuple(found.get(f.full_name, f) for f in x.fields)) for x in families)
+
+    def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
+        """Every same_as names a response of this set; what does not is dropped once it is reported."""
+        known = [f.name for f in fields if f.role == m.RESPONSE]
+        for entry in node.get("fields") or ():
+            for response in entry.get("responses") or ():
+                name = response.scalar("same_as")
+                if name is not None and name not in known:
+                    place = response["same_as"].position
+                    self.problems.add(place, f"no command of this set has the response '{name}'{nearest(name, known)}")
+        return [replace(f, responses=tuple(name for name in f.responses if name in known)) for f in fields]
+
+    def named(self, node: Node, kind: m.Kind) -> tuple[m.Named, ...]:
+        """Descriptors without a layout."""
+        found: list[m.Named] = []
+        for entry in node.get("named") or ():
+            roles: list[m.Role] = [r for r in ROLES if r in entry]
+            if len(roles) != 1 or (roles == [m.DATA]) != (kind != "command"):
+                wanted = "'command: 0x..' or 'response: 0x..'" if kind == "command" else "'data: 0x..'"
+                self.problems.add(entry.position, f"a named descriptor of a {kind} set has {wanted}")
+                continue
+            found.append(
+                m.Named(
+                    entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
+                    sources(entry, self.types.vocabulary, self.problems), entry.position,
+                )
+            )  # fmt: skip
+        return tuple(sorted(found, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
+
+
+def _first(node: Node) -> int:
+    """The lowest number of the sets of a file."""
+    entries = [entry for _, entry in node["sets"].items()] if "sets" in node else [node]
+    return min(int(entry["set"].value) for entry in entries)
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Where the fields of a family occur: in its one set; or in each of several that says so for all, or in those
+    that a field lists."""
+
+    several: bool
+    sets: tuple[m.Set, ...]
+    common: dict[str, tuple[m.Source, ...]]  # set -> what states of all fields that they occur there
+    types: Types
+    problems: Problems
+
+    def of(self, node: Node) -> tuple[m.Occurrence, ...]:
+        """The sets of a field, with what it has of its own in each."""
+        title, cited = node["title"].value, sources(node, self.types.vocabulary, self.problems)
+        own = node.get("in")
+        if not self.several:
+            for key in ("in", "only"):
+                if key in node:
+                    self.problems.add(node.keys[key], f"'{key}' is for a family of several sets; remove it")
+            return self.first(title, cited, node)
+        listed = dict(own.items()) if own else {}
+        known = [s.name for s in self.sets]
+        only = [n.value for n in node.get("only") or ()]
+        named = [(name, own.keys[name]) for name in listed] if own else []
+        for name, place in (*named, *((n.value, n.position) for n in node.get("only") or ())):
+            if name not in known:
+                self.problems.add(place, f"the family has no set '{name}'{nearest(name, known)}")
+        found = tuple(
+            self.occurrence(title, cited, s, listed.get(s.name), node)
+            for s in self.sets
+            if (s.name in only if only else s.name in listed or s.name in self.common)
+        )
+        if not found:
+            if {*listed, *only} - {*known}:
+                return self.first(title, cited, node)
+            remedy = "list its sets in 'in', or give a set 'every_field'"
+            self.problems.add(node.position, f"'{node['name'].value}' occurs in no set: {remedy}")
+            return self.first(title, cited, node)
+        return found
+
+    def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
+        """The only set, or as a substitute, to find further problems, the first of several."""
+        s = self.sets[0]
+        return (m.Occurrence(s.number, s.name, title, cited, position=node.position),)
+
+    def occurrence(
+        self, title: str, cited: tuple[m.Source, ...], s: m.Set, own: Node | None, node: Node
+    ) -> m.Occurrence:
+        usual = self.common.get(s.name) or cited
+        if own is None:
+            return m.Occurrence(s.number, s.name, title, usual, position=node.position)
+        stated = sources(own, self.types.vocabulary, self.problems) or usual
+        title = own.scalar("title", title)
+        return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
+
+    def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
+        """What states the field itself; only if nothing does, what states all fields of a set."""
+        own = node.get("in")
+        found = list(sources(node, self.types.vocabulary, self.problems))
+        found += [s for o in occurrences if own and o.set_name in own for s in o.sources]
+        return tuple(dict.fromkeys(found or [s for o in occurrences for s in o.sources]))

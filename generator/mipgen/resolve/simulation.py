@@ -1,0 +1,329 @@
+"""Resolves `simulation`: what a simulated device knows, shows and does."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from mipgen import model as m
+from mipgen.facts import simulated
+from mipgen.lower import codec
+from mipgen.lower.numbers import in_numbers
+from mipgen.model.simulation import PORTS, SETS, Behavior, Effect, Quantity, Simulation, Source, Value
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+from . import meaning
+
+FOR_EACH = "for_each"
+
+
+def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
+    """Joins all files; each name may be given once."""
+    quantities = tuple(_quantity(name, n, units, problems) for name, n, _ in _entries(roots, "quantities", problems))
+    effects = tuple(
+        Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
+        for name, n, _ in _entries(roots, "effects", problems)
+    )
+    factors = {symbol: _equal(n["equals"], units, problems) for symbol, n in units.items() if "equals" in n}
+    values = _Values(model, {q.name: q for q in quantities}, factors, problems)
+    commands = _Commands(model, {e.name: e for e in effects}, problems)
+    sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
+    found = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
+    behaviors = [b for b in found if b is not None]
+    known = {b.command.full_name for b in behaviors}
+    others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in known)
+    behaviors += (b for b in others if b.answers)
+    return Simulation(quantities, effects, tuple(s for s in sources if s is not None), tuple(behaviors))
+
+
+def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
+    """The unit in which the size of another is given, and how many of it."""
+    ((other, n),) = node.items()
+    if other not in units:
+        problems.add(node.keys[other], meaning.unknown_unit(other, units.value))
+    return other, n.value
+
+
+def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """The responses of a command that only certain devices send."""
+    return tuple((r.name, r.devices) for r in model.responses(f) if r.devices)
+
+
+def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[tuple[str, Node, m.Position]]:
+    seen: dict[str, m.Position] = {}
+    for root in roots:
+        for name, node in root[part].items() if part in root else ():
+            at = root[part].keys[name]
+            if name in seen:
+                problems.add(at, f"'{name}' is already given at {seen[name]}; remove one")
+                continue
+            seen[name] = at
+            yield name, node, at
+
+
+def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantity:
+    elements = node.scalar("elements", 1)
+    typical = node.get("typical")
+    found = typical.plain() if typical else None
+    if typical and elements > 1 and not (isinstance(found, list) and len(found) == elements):
+        problems.add(typical.position, f"the typical value of '{name}' must be a list of {elements} numbers")
+        found = None
+    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, found)
+
+
+def _unit(node: Node, units: Node, problems: Problems) -> str | None:
+    found: str | None = node.scalar("unit")
+    if found is not None and found not in units:
+        problems.add(node["unit"].position, meaning.unknown_unit(found, units.value))
+    return found
+
+
+def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, problems: Problems) -> m.Field | None:
+    f = model.field(name)
+    if f is None or f.role not in roles:
+        known = [x.full_name for x in model.fields if x.role in roles]
+        problems.add(at, f"no {' or '.join(roles)} '{name}'{nearest(name, known)}")
+        return None
+    return f
+
+
+# --------------------------------------------------------------------------- values
+
+
+@dataclass(frozen=True)
+class _Values:
+    model: m.Model
+    quantities: dict[str, Quantity]
+    factors: dict[str, tuple[str, float]]  # unit -> another, and how many of that it is
+    problems: Problems
+
+    def of(self, name: str, node: Node, at: m.Position) -> Source | None:
+        f = _field(name, (m.DATA, m.RESPONSE), at, self.model, self.problems)
+        if f is None:
+            return None
+        each = node.get(FOR_EACH)
+        if each is not None:
+            self.quantity(each)
+        found = []
+        for path, n in node.items():
+            p = None if path == FOR_EACH else self.parameter(f, path, node.keys[path])
+            if p is not None:
+                found.append(self.value(path, n, p))
+        own = None if name == f.full_name else self.model.set_of(name)
+        return Source(f, own, each.value if each else "", tuple(found))
+
+    def quantity(self, node: Node) -> Quantity | None:
+        found = self.quantities.get(node.value)
+        if found is None:
+            self.problems.add(node.position, f"unknown quantity '{node.value}'{nearest(node.value, self.quantities)}")
+        return found
+
+    def parameter(self, f: m.Field, path: str, at: m.Position) -> m.Parameter | None:
+        parameters, p = f.parameters, None
+        for name in path.split("."):
+            p = next((x for x in parameters if x.name == name), None)
+            if p is None:
+                near = nearest(name, [x.name for x in parameters if not x.derived])
+                self.problems.add(at, f"'{f.full_name}' has no parameter '{path}'{near}")
+                return None
+            parameters = p.element.parameters if isinstance(p.element, m.Struct) and p.length is None else ()
+        if p is not None and p.derived:
+            self.problems.add(at, f"'{path}' follows from the rest of the field; remove it")
+            return None
+        return p
+
+    def value(self, path: str, node: Node, p: m.Parameter) -> Value:
+        if not isinstance(node.value, dict):
+            q = self.quantity(node)
+            factor = self.factor(q, p, node) if q else 1.0
+            self.check_typical(q, p, factor, node)
+            return Value(path, node.value, factor)
+        ((kind, n),) = node.items()
+        if kind == "number":
+            return Value(path, number=n.value)
+        if kind == "text":
+            return Value(path, text=n.value)
+        names = tuple(n.plain())
+        types = [t for t in (p.element, *(v.type for v in p.readings)) if isinstance(t, (m.Enum, m.Bitfield))]
+        wanted = m.Enum if kind == "name" else m.Bitfield
+        known = {name for t in types if isinstance(t, wanted) for name in _names(t)}
+        for entry in n:
+            if entry.value not in known:
+                what = "value" if kind == "name" else "bit"
+                self.problems.add(
+                    entry.position, f"'{path}' has no {what} '{entry.value}'{nearest(entry.value, known)}"
+                )
+        return Value(path, names=names) if kind == "name" else Value(path, bits=names)
+
+    def check_typical(self, q: Quantity | None, p: m.Parameter, factor: float, node: Node) -> None:
+        if q is None or q.typical is None:
+            return
+        try:
+            value = simulated.shown(p, q.typical, factor)
+            codec.put(p.operation, value)
+        except (ValueError, codec.CodecError) as error:
+            self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
+
+    def factor(self, q: Quantity, p: m.Parameter, node: Node) -> float:
+        """From the unit of the quantity to that of the parameter, whose elements may have several."""
+        units = set(p.units)
+        if q.unit is None or not units or units == {q.unit}:
+            return 1.0
+        if len(units) > 1:
+            self.problems.add(node.position, f"'{p.name}' has several units; '{q.name}' must have none")
+            return 1.0
+        (unit,) = units
+        if unit in self.factors and self.factors[unit][0] == q.unit:
+            return 1 / self.factors[unit][1]
+        if q.unit in self.factors and self.factors[q.unit][0] == unit:
+            return self.factors[q.unit][1]
+        self.problems.add(
+            node.position,
+            f"'{p.name}' is in {unit}, '{q.name}' in {q.unit}; say in protocol.yaml what one {unit} equals, "
+            "or use another quantity",
+        )
+        return 1.0
+
+
+def _names(t: m.Enum | m.Bitfield) -> Iterator[str]:
+    """Of values; of bits, and for a number inside the bitfield, of its values: bits.value."""
+    for x in t.values if isinstance(t, m.Enum) else t.bits:
+        yield x.name
+        if isinstance(x, m.Bits) and x.enum is not None:
+            yield from (f"{x.name}.{value.name}" for value in x.enum.values)
+
+
+# --------------------------------------------------------------------------- commands
+
+
+@dataclass(frozen=True)
+class _Commands:
+    model: m.Model
+    effects: dict[str, Effect]
+    problems: Problems
+
+    def of(self, name: str, node: Node, at: m.Position) -> Behavior | None:
+        f = _field(name, (m.COMMAND,), at, self.model, self.problems)
+        if f is None:
+            return None
+        self.references(f, node)
+        return Behavior(
+            f,
+            effect=self.effect(node),
+            arguments=tuple((k, self.argument(f, n)) for k, n in _pairs(node, "with")),
+            all=tuple((k, n.value) for k, n in _pairs(node, "all")),
+            instances=tuple((k, self.instance(n)) for k, n in _pairs(node, "instances")),
+            translate=tuple((k, self.translation(n)) for k, n in _pairs(node, "translate")),
+            setting=self.setting(node),
+            key=tuple((k, self.number(n)) for k, n in _pairs(node, "key")),
+            initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "initial")),
+            answers=_layouts(f, self.model),
+        )
+
+    def references(self, f: m.Field, node: Node) -> None:
+        """Parameters of the command that must exist."""
+        known = [p.name for p in f.parameters]
+        for part in ("all", "instances", "translate", "initial"):
+            for name, _ in _pairs(node, part):
+                if name not in known:
+                    place = node[part].keys[name]
+                    self.problems.add(place, f"'{f.full_name}' has no parameter '{name}'{nearest(name, known)}")
+
+    def effect(self, node: Node) -> str:
+        given = node.get("effect")
+        if given is None:
+            return ""
+        effect = self.effects.get(given.value)
+        if effect is None:
+            near = nearest(given.value, self.effects)
+            self.problems.add(given.position, f"unknown effect '{given.value}'{near}")
+        else:
+            names = [name for name, _ in _pairs(node, "with")]
+            for name in names:
+                if name not in effect.arguments:
+                    place = node["with"].keys[name]
+                    near = nearest(name, effect.arguments)
+                    self.problems.add(place, f"the effect '{effect.name}' has no argument '{name}'{near}")
+        return str(given.value)
+
+    def argument(self, f: m.Field, node: Node) -> str | int:
+        if isinstance(node.value, int):
+            return node.value
+        if "." in node.value:
+            self.member(f, node)
+            return str(node.value)
+        if any(p.name == node.value for p in f.parameters):
+            return str(node.value)
+        return self.number(node, [p.name for p in f.parameters])
+
+    def member(self, f: m.Field, node: Node) -> None:
+        """A member of a structure, or of any case of a union, must exist."""
+        known, path = f.parameters, list[str]()
+        for name in node.value.split("."):
+            found = [p for p in known if p.name == name]
+            if not found:
+                near = nearest(name, [p.name for p in known])
+                self.problems.add(node.position, f"'{'.'.join([f.full_name, *path])}' has no parameter '{name}'{near}")
+                return
+            path.append(name)
+            known = tuple(inner for p in found for inner in _members(p))
+
+    def number(self, node: Node, others: Sequence[str] = ()) -> int:
+        """A number, or that of a set by its name."""
+        if isinstance(node.value, int):
+            return node.value
+        numbers = {s.name: s.number for s in self.model.sets}
+        if node.value not in numbers:
+            near = nearest(node.value, [*others, *numbers])
+            self.problems.add(node.position, f"'{node.value}' is neither a number nor the name of a set{near}")
+        return numbers.get(node.value, 0)
+
+    def translation(self, node: Node) -> tuple[tuple[int, int], ...]:
+        found = []
+        for text, n in node.items():
+            if not text.isdecimal():
+                self.problems.add(node.keys[text], f"'{text}' is not a number; write one")
+                continue
+            found.append((int(text), self.number(n)))
+        return tuple(found)
+
+    def instance(self, node: Node) -> str:
+        limits = {limit.name for d in self.model.devices for limit in d.limits}
+        if node.value not in limits | {PORTS, SETS}:
+            near = nearest(node.value, sorted(limits | {PORTS, SETS}))
+            self.problems.add(node.position, f"no device has the limit '{node.value}'{near}")
+        return str(node.value)
+
+    def setting(self, node: Node) -> str:
+        given = node.get("setting")
+        if given is None:
+            return ""
+        f = _field(given.value, (m.COMMAND,), given.position, self.model, self.problems)
+        for name, _ in _pairs(node, "key"):
+            known = [p.name for p in f.parameters] if f else [name]
+            if name not in known:
+                place = node["key"].keys[name]
+                self.problems.add(place, f"'{given.value}' has no parameter '{name}'{nearest(name, known)}")
+        return str(given.value)
+
+    def initial(self, f: m.Field, name: str, node: Node) -> Any:
+        """A value in the form of the parameter, names as their numbers."""
+        p = next((p for p in f.parameters if p.name == name), None)
+        if p is None:
+            return None
+        meaning.check_default(node, p, self.problems.add)
+        return in_numbers(node.plain(), p.element)
+
+
+def _members(p: m.Parameter) -> Iterator[m.Parameter]:
+    """The parameters inside a structure, or inside the cases of a union."""
+    inside = [c.parameter.element for c in p.cases if c.parameter is not None] if p.cases else [p.element]
+    for element in inside if p.length is None else ():
+        if isinstance(element, m.Struct):
+            yield from element.parameters
+
+
+def _pairs(node: Node, part: str) -> list[tuple[str, Node]]:
+    return list(node[part].items()) if part in node else []

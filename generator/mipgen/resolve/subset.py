@@ -1,0 +1,246 @@
+"""A part of a specification: the selected fields and what they need.
+
+The result is a model, so that a part is generated like the whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from mipgen import model as m
+from mipgen.base.errors import Failure
+from mipgen.model.guides import Guide
+from mipgen.read.problems import nearest
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """A selection. Sets and fields add up; devices narrow them."""
+
+    devices: tuple[str, ...] = ()
+    sets: tuple[str, ...] = ()
+    fields: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.devices or self.sets or self.fields)
+
+
+def select(model: m.Model, selection: Selection) -> m.Model:
+    """The part of the model that is selected."""
+    _check(model, selection)
+    needed = _needed(model, _asked(model, selection), selection.devices)
+    devices = tuple(d for d in model.devices if not selection.devices or d.id in selection.devices)
+    return _only(model, needed, devices)
+
+
+def left_out(whole: m.Model, part: m.Model) -> str:
+    """One line that says what was left out."""
+    counts = [
+        (len(whole.fields) - len(part.fields), "fields"),
+        (len(whole.sets) - len(part.sets), "sets"),
+        (len(whole.devices) - len(part.devices), "devices"),
+        (len(whole.examples) - len(part.examples), "examples"),
+    ]
+    said = ", ".join(f"{n} {what if n > 1 else what[:-1]}" for n, what in counts if n)
+    return f"a part of the specification; left out: {said or 'nothing'}"
+
+
+def _check(model: m.Model, selection: Selection) -> None:
+    known = {
+        "device": (selection.devices, [d.id for d in model.devices]),
+        "set": (selection.sets, [s.name for s in model.sets]),
+        "field": (selection.fields, list(model.names)),
+    }
+    for what, (asked, names) in known.items():
+        for name in asked:
+            if name not in names:
+                meant = " or ".join(f"'{d}'" for d in _meant(model, name)) if what == "device" else ""
+                near = f", did you mean {meant}?" if meant else nearest(name.casefold(), names)
+                raise Failure(f"unknown {what} '{name}'{near}")
+    for what, asked in (("set", selection.sets), ("field", selection.fields)) if selection.devices else ():
+        for name in asked:
+            having = {
+                d.id
+                for f, number in _places(model, what, name)
+                for certain in (True, False)
+                for d in model.devices_of(f, certain, number)
+            }
+            if having.isdisjoint(selection.devices):
+                others = [d.id for d in model.devices if d.id in having]
+                raise Failure(
+                    f"the {what} '{name}' is of no selected device; leave it out, or "
+                    + (f"name a device that has it: {', '.join(others)}" if others else "select no device")
+                )
+
+
+def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int]]:
+    """The fields that a set or the name of a field means, each with the number of its set."""
+    for f in model.fields:
+        for o in f.occurrences:
+            if name in ((o.set_name,) if what == "set" else (f.full_name, f.name_in(o.set))):
+                yield f, o.set
+
+
+def _meant(model: m.Model, word: str) -> list[str]:
+    """The devices that people call so: other names, a part of a name, the model number."""
+
+    def plain(name: str) -> str:
+        return "".join(c for c in name.casefold() if c.isalnum())
+
+    found = []
+    for d in model.devices:
+        names = [plain(name) for name in (d.id, d.title, *d.also)]
+        if plain(word) in (*names, str(d.model_number)):
+            return [d.id]
+        if plain(word) and any(plain(word) in name for name in names):
+            found.append(d.id)
+    return found
+
+
+def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
+    """The fields selected by name, by set or by device, in the sets in which they are; responses follow their
+    commands. Shared fields belong to every data set, so any data field selects them.
+    """
+    every = not (selection.sets or selection.fields)
+    supported = {s.name for d in model.devices if d.id in selection.devices for s in d.supports}
+    found: dict[str, m.Field] = {}
+    for f in model.fields:
+        names = {o: f.name_in(o.set) for o in f.occurrences}
+        offered = [o for o in names if not selection.devices or f.role == m.RESPONSE or names[o] in supported]
+        in_sets = [o for o in offered if f.role != m.RESPONSE and (every or o.set_name in selection.sets)]
+        by_name = [o for o in offered if not {f.full_name, names[o]}.isdisjoint(selection.fields)]
+        if in_sets or by_name:
+            found[f.full_name] = replace(f, occurrences=tuple(o for o in names if o in (*in_sets, *by_name)))
+    if any(f.role == m.DATA for f in found.values()):
+        shared = (f for f in model.fields if f.everywhere)
+        found |= {f.full_name: f for f in shared if not selection.devices or f.full_name in supported}
+    return found
+
+
+def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...]) -> dict[str, m.Field]:
+    """The same with their responses or commands.
+
+    Of several layouts of a response only those of the devices, if any are given.
+    """
+    found: dict[str, m.Field] = {}
+    waiting = list(asked.values())
+    while waiting:
+        f = waiting.pop()
+        if f.full_name not in found:
+            found[f.full_name] = asked.get(f.full_name, f)
+            layouts = [r for d in devices for r in model.answers(f, d)] if devices else model.responses(f)
+            waiting += layouts
+            waiting += model.commands(f) if f.role == m.RESPONSE else ()
+            waiting += [s for c in f.silenced_by if (s := model.field(c.command or "")) is not None]
+    return found
+
+
+def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, ...]) -> m.Model:
+    """The model without other fields, and without what only these need."""
+    ids = {d.id for d in devices}
+    acknowledge = _narrowed(model.protocol.acknowledge, ids, needed)
+    fields = {name: _narrowed(f, ids, needed) for name, f in needed.items()}
+    types = _types([acknowledge, *fields.values()])
+    families = [
+        replace(
+            x,
+            sets=tuple(s for s in x.sets if any(o.set == s.number for f in own for o in f.occurrences)),
+            types=tuple(t for t in x.types if _key(t) in types),
+            fields=tuple(own),
+        )
+        for x in model.families
+        if (own := [fields[f.full_name] for f in x.fields if f.full_name in fields])
+    ]
+    kept = {f.name_in(o.set): f for f in (acknowledge, *fields.values()) for o in f.occurrences}
+    examples = tuple(e for e in model.examples if all(x.field is None or x.field in kept for x in e.fields))
+    printed = {e.id for e in examples}
+    sets = {s.name: s for x in families for s in x.sets}
+    whole = tuple(_device(d, sets, kept) for d in devices)
+    by_name = {**kept, acknowledge.full_name: acknowledge, **fields}
+    return replace(
+        model,
+        protocol=replace(model.protocol, acknowledge=acknowledge),
+        types=tuple(t for t in model.types if isinstance(t, m.Vector) or _key(t) in types),
+        families=tuple(families),
+        devices=whole,
+        examples=examples,
+        errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
+        simulation=model.simulation.only(by_name),
+        guides=_guides(model.guides, by_name, whole),
+        programs=(),  # they may use any field
+    )
+
+
+def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
+    """What remains of the guides; they name only each other."""
+    found = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
+    names = {g.name for g in found}
+    return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in found)
+
+
+def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:
+    named = {f.full_name: f for f in fields.values()}
+    return replace(
+        d,
+        supports=tuple(replace(s, field=fields[s.name]) for s in d.supports if s.name in fields),
+        base_rates=tuple(replace(r, set=sets[r.set.name]) for r in d.base_rates if r.set.name in sets),
+        variants=tuple(replace(v, field=named[v.field.full_name]) for v in d.variants if v.field.full_name in named),
+    )
+
+
+def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
+    """The field without what differs on other devices, and without responses that are left out."""
+    parameters = tuple(
+        replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
+    )
+    responses = tuple(name for name in f.responses if f"{f.family}.{name}" in names)
+    senders = tuple(d for d in f.devices if d in devices) or f.devices
+    return replace(f, parameters=parameters, responses=responses, devices=senders)
+
+
+def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:
+    """Are all claims of an erratum about selected parts?"""
+    known = {"length": fields, "example": examples}
+    return all(c.subject in known[c.kind] for c in e.claims if c.kind in known)
+
+
+# --------------------------------------------------------------------------- types
+
+Key = tuple[str | None, str]
+
+
+def _key(t: m.Type) -> Key:
+    return (None if isinstance(t, m.Vector) else t.owner, t.name)
+
+
+def _types(fields: Iterable[m.Field]) -> set[Key]:
+    """The types that fields need, directly or inside others."""
+    found: set[Key] = set()
+
+    def need(t: m.Type) -> None:
+        if _key(t) in found:
+            return
+        found.add(_key(t))
+        if isinstance(t, m.Struct):
+            for p in t.parameters:
+                visit(p)
+        elif isinstance(t, m.Bitfield):
+            for b in t.bits:
+                if b.enum is not None:
+                    need(b.enum)
+
+    def visit(p: m.Parameter) -> None:
+        if p.element is not None and not isinstance(p.element, m.Scalar):
+            need(p.element)
+        for v in p.variants:
+            if v.type is not None:
+                need(v.type)
+        for c in p.cases:
+            if c.parameter is not None:
+                visit(c.parameter)
+
+    for f in fields:
+        for p in f.parameters:
+            visit(p)
+    return found

@@ -1,0 +1,213 @@
+"""Turns definitions of types into types, each when it is first asked for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems, nearest
+
+from .layout import Layout, Record
+from .variation import Scope
+from .vocabulary import Vocabulary, sentences, short_name, sources
+
+#: How deep structures may be nested: far beyond need, and short of Python's own limit.
+MAX_NESTING = 16
+
+
+@dataclass
+class Types:
+    """Finds types by name: first those of the set, then those of spec/types. Resolves on demand."""
+
+    vocabulary: Vocabulary
+    problems: Problems
+    shared: dict[str, Node] = field(default_factory=dict)
+    local: dict[str, dict[str, Node]] = field(default_factory=dict)
+    parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
+    _included: set[tuple[str, str]] = field(default_factory=set)
+    _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
+    _open: list[str] = field(default_factory=list)
+
+    def define(self, owner: str | None, types: Node | None) -> None:
+        """Makes the types of a file known."""
+        known = self.shared if owner is None else self.local.setdefault(owner, {})
+        for name, node in types.items() if types else ():
+            place = types.keys[name] if types else node.position
+            taken = (*m.SCALARS, self.vocabulary.selector.name)
+            if name in known or name in self.shared or name in taken:
+                self.problems.add(place, f"the type '{name}' is already defined; choose another name")
+            else:
+                known[name] = Node(node.value, place, node.keys)
+
+    def scope(self, owner: str | None) -> Scope:
+        """What a parameter of that owner may refer to."""
+        return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
+
+    def of(self, owner: str | None) -> tuple[m.Type, ...]:
+        """All types of one owner, each after those that it uses."""
+        known = self.shared if owner is None else self.local.get(owner, {})
+        for name in known:
+            self.find(name, None, owner)
+        return tuple(t for (o, _), t in self._done.items() if o == owner and t is not None)
+
+    def find(self, name: str, position: m.Position | None, owner: str | None) -> m.Type | None:
+        local = self.local.get(owner or "", {})
+        where = owner if name in local else None
+        node = local.get(name) or self.shared.get(name)
+        if node is None:
+            choices = [*m.SCALARS, *local, *self.shared]
+            self.problems.add(position, f"unknown type '{name}'{nearest(name, choices)}")
+            return None
+        if (where, name) not in self._done:
+            if name in self._open:
+                loop = " -> ".join([*self._open[self._open.index(name) :], name])
+                self.problems.add(position, f"the type contains itself: {loop}; break the loop")
+                return None
+            if len(self._open) == MAX_NESTING:
+                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; flatten it")
+                return None
+            self._open.append(name)
+            found = self._resolve(name, where, node)
+            self._open.pop()
+            self._done[where, name] = found
+        return self._done[where, name]
+
+    def _resolve(self, name: str, owner: str | None, node: Node) -> m.Type | None:
+        kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
+        if len(kinds) != 1:
+            wanted = "exactly one of enum, bitfield, bytes, struct, vector"
+            self.problems.add(node.position, f"the type '{name}' needs {wanted}")
+            return None
+        parts = {"enum": "values", "bitfield": "bits", "bytes": "bits", "vector": "elements"}
+        part = parts.get(kinds[0])
+        for other in ("values", "bits", "elements"):
+            if (other in node) != (other == part):
+                fault = "is missing in" if other == part else "does not belong in"
+                place = node.keys.get(other, node.position)
+                self.problems.add(place, f"'{other}' {fault} the {kinds[0]} '{name}'")
+                return None
+        description = node.scalar("description", "")
+        if kinds[0] == "vector":
+            if "short" in node:
+                self.problems.add(node.keys["short"], f"the vector '{name}' has no 'short'; remove it")
+            scalar = m.SCALARS[node["vector"].value]
+            elements = node["elements"].plain()
+            for i, entry in enumerate(node["elements"]):
+                if entry.value in elements[:i]:
+                    self.problems.add(
+                        entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
+                    )
+            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        short = short_name(node, name, self.problems)
+        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
+        if kinds[0] == "enum":
+            values = self._values(node)
+            scalar = m.SCALARS[node["enum"].value]
+            return m.Enum(name, scalar, values, *origin, short=short, position=node.position)
+        if kinds[0] == "struct":
+            record = self.record(list(node["struct"]), owner, inside=True)
+            return m.Struct(
+                name, record.parameters, tuple(p.operation for p in record.parameters),
+                record.min_size, record.max_size, *origin, short=short, position=node.position,
+            )  # fmt: skip
+        base = m.SCALARS[node["bitfield"].value] if "bitfield" in node else None
+        size = base.size if base else node["bytes"].value
+        bits = self._bits(node, owner, size * 8)
+        return m.Bitfield(name, base, size, bits, *origin, short=short, position=node.position)
+
+    def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
+        places = node["values"].keys
+        return tuple(
+            m.EnumValue(name, v.value, "", position=places[name])
+            if isinstance(v.value, int)
+            else m.EnumValue(
+                name,
+                v["value"].value,
+                v.scalar("description", ""),
+                v.scalar("deprecated", False),
+                sentences(v, "uncertain"),
+                short_name(v, name, self.problems),
+                places[name],
+            )
+            for name, v in node["values"].items()
+        )
+
+    def _bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
+        found = []
+        for name, entry in node["bits"].items():
+            if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
+                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
+                continue
+            span = entry.get("bits") or entry.get("bit") or entry
+            parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
+            if parts is None:
+                self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
+                continue
+            low, high = int(parts[1]), int(parts[2] or parts[1])
+            if high < low or high >= width:
+                wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
+                self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
+                continue
+            place = node["bits"].keys[name]
+            enum = self._enum_of(entry, owner)
+            description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
+            uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
+            found.append(m.Bits(name, low, high, description, alias, enum, uncertain, short, place))
+        return tuple(found)
+
+    def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
+        """The enumeration of a number inside a bitfield."""
+        entry = bits.get("enum")
+        if entry is None:
+            return None
+        found = self.find(entry.value, entry.position, owner)
+        if isinstance(found, m.Enum):
+            return found
+        if found is not None:
+            self.problems.add(entry.position, f"'{found.name}' is not an enumeration")
+        return None
+
+    # ----------------------------------------------------------------------- records
+
+    def record(
+        self,
+        nodes: Sequence[Node],
+        owner: str | None,
+        functions: str = "",
+        plain: bool = False,
+        inside: bool = False,
+        whole: Node | None = None,
+    ) -> Record:
+        """The layout of these parameters. `functions`: letters of a command that has a selector.
+        `plain`: a response that repeats its command's parameters, where presence plays no part.
+        `inside`: a structure, whose parameters are always there.
+        `whole`: the field, whose `valid` holds for all values that have none of their own."""
+        build = Layout(self, owner, functions, plain, inside, whole)
+        for node in self.included(nodes, owner):
+            build.add(node)
+        return build.finish()
+
+    def included(self, nodes: Sequence[Node], owner: str | None) -> Iterator[Node]:
+        """The parameters, with those of a part in place of its name."""
+        parts = self.parts.get(owner or "", {})
+        for node in nodes:
+            name = node.scalar("include")
+            if name is None:
+                yield node
+            elif name in parts:
+                self._included.add((owner or "", name))
+                yield from parts[name]
+            else:
+                near = nearest(name, parts) or "; define it under 'parts' of the set"
+                self.problems.add(node["include"].position, f"unknown part '{name}'{near}")
+
+    def unused(self) -> None:
+        """Reports the parts that nothing includes: their parameters are never looked at."""
+        for owner, parts in self.parts.items():
+            for name, node in parts.items():
+                if (owner, name) not in self._included:
+                    self.problems.add(node.position, f"no field includes the part '{name}'; include it, or remove it")

@@ -1,0 +1,170 @@
+"""What differs: by device, or with one value of a sibling.
+
+A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
+name the type that gives a plain number its meaning, or say which values there are, or that they are
+not known. Those by sibling are given in the set file, those by device in the device's file. What
+differs may be a member of a structure: what is read by a parameter outside of it is said where the
+structure is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+from mipgen import model as m
+from mipgen.lower.extent import size
+from mipgen.read.nodes import Node
+from mipgen.read.problems import nearest
+
+from . import meaning
+from .meaning import Problem
+from .vocabulary import Vocabulary
+
+#: In the place of what is different: nobody knows.
+UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """What a variant may refer to where it is given."""
+
+    words: Vocabulary
+    find: Callable[[str, m.Position | None], m.Type | None]  # a type by its name
+    problem: Problem
+
+
+def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
+    """`varies: {by: device}`: every device that supports the field says in its own file what the values are."""
+    spec = node.get("varies")
+    if spec is None or spec["by"].value != m.DEVICE:
+        return False
+    for key in ("cases", "member"):
+        if key in spec:
+            problem(spec.keys[key], f"what '{p.name}' is on a device is said in the file of the device; remove {key}")
+    return True
+
+
+def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope: Scope) -> tuple[m.Variant, ...]:
+    """`varies: {by: mode, cases: ...}`: what differs by an enumeration of the same record."""
+    spec = node.get("varies")
+    if spec is None or spec["by"].value == m.DEVICE:
+        return ()
+    by, siblings = spec["by"], {q.name: q for q in beside if q.name != p.name}
+    sibling = siblings.get(by.value)
+    if sibling is None or not isinstance(sibling.element, m.Enum):
+        near = nearest(by.value, [m.DEVICE, *(name for name, q in siblings.items() if isinstance(q.element, m.Enum))])
+        scope.problem(by.position, f"'{by.value}' is neither '{m.DEVICE}' nor an enumeration beside '{p.name}'{near}")
+        return ()
+    if "cases" not in spec:
+        scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but no case says how; add cases")
+        return ()
+    what = _concerned(spec, p, scope)
+    if what is None:
+        return ()
+    found = []
+    for key, case in spec["cases"].items():
+        value = sibling.element.by_name(key)
+        if value is None:
+            near = nearest(key, [v.name for v in sibling.element.values])
+            scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
+        if case.scalar("valid") is not None:
+            meaning.valid_bits(case, what, siblings.values(), scope.problem)
+        one = variant(case, what, by.value, key, value.value if value else None, scope)
+        found.append(replace(one, member=spec.scalar("member", "")))
+    return tuple(found)
+
+
+def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
+    """The parameter that differs: itself, or a member of its structure."""
+    member = spec.get("member")
+    if member is None:
+        return p
+    members = {q.name: q for q in p.element.parameters} if isinstance(p.element, m.Struct) else {}
+    if member.value not in members:
+        near = nearest(member.value, members) if members else "; only a structure has members"
+        scope.problem(member.position, f"'{p.name}' has no member '{member.value}'{near}")
+    return members.get(member.value)
+
+
+def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
+    """One case."""
+    words, problem = scope.words, scope.problem
+    if node.value == UNKNOWN:
+        return m.Variant(by, key, value, unknown=True)
+    low, high = meaning.limits(node, p, problem)
+    reading = _reading(node, p, scope)
+    frame = meaning.frame(node, words.frames, problem)
+    return m.Variant(
+        by=by,
+        key=key,
+        value=value,
+        type=reading,
+        units=meaning.units(node, p, words.units, problem),
+        elements=meaning.elements(p, frame, words.frames),
+        frame=frame,
+        minimum=low,
+        maximum=high,
+        default=meaning.default(node, replace(p, minimum=low, maximum=high), problem),
+        valid=meaning.valid(node) if "valid" in node else None,
+        constant=_constant(node, p, problem),
+        only=_only(node, p, reading or p.element, problem),
+        deprecated=node.scalar("deprecated"),
+        description=node.scalar("description", ""),
+    )
+
+
+def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
+    """The only value that a number has."""
+    if "const" not in node:
+        return None
+    value: int = node["const"].value
+    if p.constant is not None:
+        problem(node.keys["const"], f"'{p.name}' is always {p.constant} by its definition; remove const there or here")
+    elif not (isinstance(p.element, m.Scalar) and p.element.kind == "unsigned" and p.length is None):
+        problem(node.keys["const"], f"'{p.name}' is not one unsigned number, so it has no const; remove it")
+    elif value >> (8 * p.element.size):
+        problem(node["const"].position, f"{value} does not fit in {p.element.name}")
+    return value
+
+
+def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.EnumValue | m.Bits, ...]:
+    """The values of an enumeration, or the bits of a bitfield, that there are."""
+    found: list[m.EnumValue | m.Bits] = []
+    for part, kind, what in (("values", m.Enum, "an enumeration"), ("bits", m.Bitfield, "a bitfield")):
+        if part not in node:
+            continue
+        if not isinstance(t, kind):
+            problem(node.keys[part], f"'{p.name}' is not {what}, so it has no {part}; remove them")
+            continue
+        known = {x.name: x for x in (t.values if isinstance(t, m.Enum) else t.bits)}
+        for entry in node[part]:
+            if entry.value in known:
+                found.append(known[entry.value])
+            else:
+                near = nearest(entry.value, known)
+                problem(entry.position, f"'{t.name}' has no {part[:-1]} '{entry.value}'{near}")
+    return tuple(found)
+
+
+def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | None:
+    """The type that names the values or bits of a number."""
+    entry = node.get("type")
+    if entry is None:
+        return None
+    found = scope.find(entry.value, entry.position)
+    if found is None:
+        return None
+    if not isinstance(found, (m.Enum, m.Bitfield)):
+        scope.problem(entry.position, f"'{found.name}' is neither an enumeration nor a bitfield")
+        return None
+    if isinstance(p.element, (m.Struct, m.Vector)) or (
+        isinstance(p.element, m.Scalar) and p.element.kind != "unsigned"
+    ):
+        scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{found.name}' cannot name its values")
+        return None
+    own, width = size(p.operation)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
+    if own != width:
+        scope.problem(entry.position, f"'{found.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
+        return None
+    return found

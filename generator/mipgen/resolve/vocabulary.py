@@ -1,0 +1,54 @@
+"""The words that a specification may use, and citations of manuals."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from mipgen import model as m
+from mipgen.read.nodes import Node
+from mipgen.read.problems import Problems
+
+from . import meaning
+
+
+@dataclass
+class Vocabulary:
+    """Units, frames, manuals, devices and function selectors."""
+
+    units: Collection[str]
+    frames: dict[str, tuple[str, ...]]  # and the elements of vectors in them, if not x, y, z
+    manuals: dict[str, m.Manual]
+    devices: set[str]
+    functions: tuple[m.Function, ...]
+    selector: m.Enum
+
+    def letters(self, text: str) -> tuple[m.Function, ...]:
+        """The functions with these letters, by value."""
+        return tuple(f for f in self.functions if f.letter in text)
+
+
+def sentences(node: Node, key: str) -> tuple[str, ...]:
+    """A list of sentences: `notes`, or what is `uncertain`."""
+    return tuple(node[key].plain()) if key in node else ()
+
+
+def short_name(node: Node, name: str, problems: Problems) -> str | None:
+    """The `short` of a node: its name in languages that limit identifiers."""
+    entry = node.get("short")
+    if entry is None:
+        return None
+    if len(entry.value) >= len(name):
+        problems.add(entry.position, f"'{entry.value}' is not shorter than the name '{name}'; shorten or remove it")
+    return str(entry.value)
+
+
+def sources(node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources") -> tuple[m.Source, ...]:
+    """The `sources` of a node."""
+    found = []
+    for entry in node.get(key) or ():
+        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
+        length = entry.get("length")
+        printed, place = (str(length.value), length.position) if length else (None, entry.position)
+        found.append(m.Source(manual, section, printed, place))
+    return tuple(found)

@@ -1,0 +1,66 @@
+"""What other targets may ask of C: its names of fields and types, what writes programs needs, and programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mipgen import model as m
+from mipgen.emit.symbols import Symbols, others, parameters, things
+
+from . import calls, names
+from .identifiers import of_field, of_type
+from .members import constructors
+from .snippets import Programs
+
+__all__ = ["Programs", "symbol", "symbols", "writing"]
+
+
+def symbol(thing: m.Type | m.Field) -> str:
+    """The type of a field, or a type."""
+    return names.field_name(thing) if isinstance(thing, m.Field) else names.type_name(thing)
+
+
+def symbols(model: m.Model) -> Iterator[Symbols]:
+    for x in things(model):
+        if isinstance(x, m.Field):
+            found = [i.name for i in of_field(x) if i.scope == "C"] + [*calls.identifiers(x, model)]
+            name = symbol(x)
+        elif isinstance(x, m.Vector):
+            continue  # an array
+        else:
+            typed = not isinstance(x, m.Enum) or names.is_enum(x)  # else it has numbers and no type
+            found = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
+            name = symbol(x) if typed else f"{symbol(x)}_name"
+        yield Symbols(x, name, tuple(n for n in found if n != name))
+
+
+def writing(model: m.Model) -> dict[str, Any]:
+    """What writes programs needs: names that C writes in another way than the specification, and what it calls."""
+    words, commands = parameters(model), [f for f in model.fields if f.role == m.COMMAND]
+    return {
+        "scalars": {name: names.c_type(scalar) for name, scalar in m.SCALARS.items()},
+        "headers": {x.name: names.module(x.name) for x in model.families},
+        "members": others(words, names.member),
+        "arguments": others(words, names.argument_name),
+        "calls": {f.full_name: list(_calls(f, model)) for f in commands},
+    }
+
+
+def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
+    """The functions that call a command: the function selector, what they take, and the response that they decode.
+    One that takes nothing of a command with reserved values alone takes the whole structure."""
+    made = constructors(f)
+    for call in calls.calls(f, model):
+        if call.whole and made:
+            continue  # with optional parameters
+        found: dict[str, Any] = {"name": call.name}
+        if call.way is not None and call.way.function is not None:
+            found["function"] = call.way.function.name
+        if call.way is not None:
+            found["takes"] = [p.name for p in call.given]
+        if call.whole:
+            found["whole"] = True
+        if call.response is not None:
+            found["response"] = call.response.full_name
+        yield found

@@ -1,0 +1,63 @@
+"""How programs use a field, in each language that has a target here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from mipgen import model as m
+from mipgen.emit.symbols import Symbols
+from mipgen.facts.sample_values import GivenValues, SampleValues
+from mipgen.targets.c import api as c
+from mipgen.targets.python import api as python
+from mipgen.targets.rust import api as rust
+
+from .places import Page
+
+
+class Programs(Protocol):
+    """The programs of a language."""
+
+    def command(self, f: m.Field) -> str: ...
+    def data(self, f: m.Field) -> str: ...
+    def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str: ...
+
+
+class Api(Protocol):
+    """What the target of a language offers."""
+
+    @property
+    def Programs(self) -> Callable[[SampleValues], Programs]: ...
+    @property
+    def symbols(self) -> Callable[[m.Model], Iterator[Symbols]]: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    title: str
+    name: str  # in paths, and of fenced blocks
+    api: Api
+
+
+LANGUAGES = (Language("C", "c", c), Language("Python", "python", python), Language("Rust", "rust", rust))
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    title: str
+    language: str  # of the fenced block
+    lines: str
+
+
+def programs(page: Page, f: m.Field) -> list[Program]:
+    return _each(page, lambda of: of.command(f) if f.role == m.COMMAND else of.data(f))
+
+
+def sequences(page: Page, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> list[Program]:
+    """Programs that send several commands."""
+    return _each(page, lambda of: of.sequence(name, steps))
+
+
+def _each(page: Page, write: Callable[[Programs], str]) -> list[Program]:
+    return [Program(x.title, x.name, write(x.api.Programs(page.index.samples))) for x in LANGUAGES]

@@ -1,0 +1,41 @@
+"""What other targets may ask of Python: its names of fields and types, what writes programs needs, and programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mipgen import model as m
+from mipgen.emit.naming import upper
+from mipgen.emit.symbols import Symbols, constants, others, parameters, things
+
+from . import PACKAGE, attributes, names
+from .snippets import Programs, local
+
+__all__ = ["Programs", "symbol", "symbols", "writing"]
+
+
+def symbol(thing: m.Type | m.Field) -> str:
+    """The class of a field or a type, as programs import it."""
+    return f"{PACKAGE}.{names.qualified(thing).removeprefix('protocol.')}"
+
+
+def symbols(model: m.Model) -> Iterator[Symbols]:
+    for x in things(model):
+        of = names.class_name(x)
+        if isinstance(x, m.Field):
+            found = [names.member(f.name) for f in x.functions]
+        else:
+            found = [name for name, *_ in attributes(x)] if not isinstance(x, m.Struct) else []
+        yield Symbols(x, f"{PACKAGE}.{names.qualified(x)}", tuple(f"{of}.{name}" for name in found))
+
+
+def writing(model: m.Model) -> dict[str, Any]:
+    """What writes programs needs: names that Python writes in another way than the specification."""
+    functions = [f.name for f in model.protocol.functions]
+    modules = [names.module(x.name) for x in model.families]
+    return {
+        "modules": {module: local(module) for module in modules},
+        "members": others([*parameters(model), *functions], names.member),
+        "constants": others(constants(model), names.constant, upper),
+    }

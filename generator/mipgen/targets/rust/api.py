@@ -1,0 +1,76 @@
+"""What other targets may ask of Rust: its names of fields and types, what writes programs needs, and programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mipgen import model as m
+from mipgen.emit import symbols as of
+from mipgen.emit.naming import upper
+from mipgen.emit.symbols import Symbols
+
+from . import names
+from .records import Records
+from .snippets import Programs
+
+__all__ = ["Programs", "symbol", "symbols", "writing"]
+
+
+def symbol(thing: m.Type | m.Field) -> str:
+    """The type of a field, or a type, by its path."""
+    return f"mip_protocol::{names.home(thing)}::{names.type_name(thing.name)}"
+
+
+def symbols(model: m.Model) -> Iterator[Symbols]:
+    records = model.derived(Records)
+    for x in of.things(model):
+        yield Symbols(x, symbol(x), tuple(_belonging(x, names.type_name(x.name), records)))
+
+
+def _belonging(x: m.Type | m.Field, name: str, records: Records) -> Iterator[str]:
+    match x:
+        case m.Enum():
+            yield from (f"{name}::{names.constant(v.name)}" for v in x.values)
+        case m.Bitfield():
+            for b in x.bits:
+                yield from (f"{name}::{names.constant(b.name)}", f"{name}::{names.method(b.name)}")
+                yield from (f"{name}::set_{b.name}", f"{name}::with_{b.name}")
+        case m.Field() | m.Struct():
+            yield from (f"{name}::{c.name}" for c in records.constructors(x))
+            yield from (f"{name}::with_{p.parameter.name}" for p in records.settable(x))
+            yield from (f"{name}::{r.name}" for r in records.readings(x))
+            for union in records.unions_of(x):
+                yield union.name
+                yield from (f"{union.name}::{names.variant(k.tag.name)}" for k in union.operation.cases)
+    if isinstance(x, m.Field) and len(x.responses) > 1:
+        yield names.responses_name(x)
+
+
+def writing(model: m.Model) -> dict[str, Any]:
+    """What writes programs needs: names that Rust writes in another way than the specification, and its unions."""
+    return {
+        "members": of.others(of.parameters(model), names.member),
+        "constants": of.others(of.constants(model), names.constant, upper),
+        "constructors": {f.name: names.constructor(f) for f in model.protocol.functions},
+        "unions": _unions(model),
+        "vectors": {t.name: names.path(t, "") for t in model.types if isinstance(t, m.Vector)},
+        "variants": {tag: names.variant(tag) for tag in of.tags(model)},
+    }
+
+
+def _unions(model: m.Model) -> dict[str, str]:
+    """The union of a parameter: those of a module that have the same alternatives are one type."""
+    records, found = model.derived(Records), {}
+    for r in of.records(model):
+        for p in r.parameters:
+            if isinstance(p.operation, m.SwitchOp):
+                where = names.home(r)
+                found[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.operation, where).name}"
+    return found
+
+
+def _full_name(r: m.Field | m.Struct) -> str:
+    if isinstance(r, m.Field):
+        return r.full_name
+    return f"{r.owner}.{r.name}" if r.owner else r.name

@@ -1,0 +1,535 @@
+/**
+ * @file
+ * The core of the MIP binding: packets, fields, and the stream parser.
+ *
+ * C99 without heap; of the standard library it uses only memcpy, memmove, memset and memchr.
+ * Nothing depends on the byte order or the alignment of the host.
+ */
+#ifndef MIP_CORE_H
+#define MIP_CORE_H
+
+#include "mip/constants.h"
+#include "mip/export.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Bytes before the payload: two sync bytes, descriptor set, length of the payload. */
+#define MIP_HEADER_SIZE 4
+/** Bytes after the payload. */
+#define MIP_CHECKSUM_SIZE 2
+/** Maximum size of a packet. */
+#define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
+
+/** The result of functions that can fail. */
+typedef enum mip_error {
+    /** No error. */
+    MIP_OK = 0,
+    /** The bytes do not start with the sync bytes of a packet. */
+    MIP_ERROR_SYNC,
+    /** A packet does not have the length that it states, or something does not fit into a packet.
+     */
+    MIP_ERROR_LENGTH,
+    /** The checksum of a packet does not match. */
+    MIP_ERROR_CHECKSUM,
+    /** A field is shorter than its own header or reaches beyond its packet. */
+    MIP_ERROR_FIELD_LENGTH,
+    /** A field is too short for its parameters. */
+    MIP_ERROR_TRUNCATED,
+    /** A count exceeds the number of elements that follow, or the size of the array. */
+    MIP_ERROR_COUNT,
+    /** A constant has another value. */
+    MIP_ERROR_CONSTANT,
+    /** The number of present parameters ends between a counter and its array, or is too large. */
+    MIP_ERROR_MISSING,
+    /** The field does not belong in packets of this descriptor set. */
+    MIP_ERROR_SET,
+    /** The descriptor of the field is not that of the type as which it is to be decoded. */
+    MIP_ERROR_DESCRIPTOR,
+    /** The data has another layout of the descriptor than that as which it is to be decoded. */
+    MIP_ERROR_LAYOUT
+} mip_error;
+
+/** MIP_VERSION_NUMBER of the library that is linked: another one than that of the headers if they
+ * do not belong together. */
+MIP_API unsigned long mip_version(void);
+
+/** The error as one word in lower case: "truncated"; "ok" if there is none. */
+MIP_API const char *mip_error_name(mip_error error);
+
+#ifndef __cplusplus
+/** What only C++ reads. */
+#define MIP_IN_CPP(text)
+#else
+#define MIP_IN_CPP(text) text
+#endif
+
+/* These follow the name of an enumeration. In C++, it then has as many bits as on the wire, and
+ * holds values without a name, too; in C, the compiler chooses. */
+
+/** An enumeration of 8 bits. */
+#define MIP_ENUM_8 MIP_IN_CPP( : uint8_t)
+/** An enumeration of 16 bits. */
+#define MIP_ENUM_16 MIP_IN_CPP( : uint16_t)
+/** An enumeration of 32 bits. */
+#define MIP_ENUM_32 MIP_IN_CPP( : uint32_t)
+/** An enumeration of 64 bits. */
+#define MIP_ENUM_64 MIP_IN_CPP( : uint64_t)
+
+/** Zero is false, anything else is true; bytes other than 0 and 1 are preserved. */
+typedef uint8_t mip_bool;
+
+/* --------------------------------------------------------------------------- packets and fields */
+
+/** A complete, valid packet, anywhere in memory. */
+struct mip_packet {
+    /** From the first sync byte on. */
+    const uint8_t *bytes;
+    /** Header and checksum included. */
+    size_t size;
+    /** What its fields are: MIP_SENSOR_SET, MIP_BASE_SET, ... */
+    uint8_t descriptor_set;
+};
+
+/** One field of a packet, not yet decoded. */
+struct mip_field {
+    /** What follows the descriptor. */
+    const uint8_t *data;
+    /** Bytes of data. */
+    uint8_t size;
+    /** Descriptor set of the packet. */
+    uint8_t descriptor_set;
+    /** Which field of the descriptor set it is. */
+    uint8_t descriptor;
+};
+
+/** An iterator over the fields of a packet. */
+struct mip_walk {
+    /** The next field. */
+    const uint8_t *at;
+    /** The end of the payload. */
+    const uint8_t *end;
+    /** Descriptor set of the packet. */
+    uint8_t descriptor_set;
+    /** MIP_ERROR_FIELD_LENGTH if the walk ended at a malformed field, else MIP_OK. The fields
+     * before it are valid. */
+    mip_error error;
+};
+
+/** May a packet have this descriptor set? Not 0 and 0xFF: they stand for all sets of commands, and
+ * of data, in tables. */
+static inline bool mip_set_valid(uint8_t descriptor_set) {
+    return descriptor_set != 0 && descriptor_set != 0xFF;
+}
+
+/** The checksum of some bytes: its first byte is the high one. */
+MIP_API uint16_t mip_checksum(const uint8_t *bytes, size_t size);
+
+/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. The parser and the
+ * builder have the same rules: no packet has descriptor set 0 or 0xFF. */
+MIP_API mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet);
+
+/** Begins a walk through the fields of a packet. */
+static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
+    struct mip_walk walk;
+    walk.at = packet->bytes;
+    walk.end = packet->bytes;
+    if (packet->size >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) { /* no packet: no fields */
+        walk.at += MIP_HEADER_SIZE;
+        walk.end += packet->size - MIP_CHECKSUM_SIZE;
+    }
+    walk.descriptor_set = packet->descriptor_set;
+    walk.error = MIP_OK;
+    return walk;
+}
+
+/** Gets the next field. False at the end; `error` then says whether all fields have been seen. */
+static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
+    const size_t left = (size_t)(walk->end - walk->at);
+    if (left == 0 || walk->error != MIP_OK) {
+        return false;
+    }
+    const uint8_t length = walk->at[0];
+    if (length < 2 || length > left) {
+        walk->error = MIP_ERROR_FIELD_LENGTH;
+        return false;
+    }
+    field->data = walk->at + 2;
+    field->size = (uint8_t)(length - 2);
+    field->descriptor_set = walk->descriptor_set;
+    field->descriptor = walk->at[1];
+    walk->at += length;
+    return true;
+}
+
+/** Descriptor set and descriptor of a field as one constant. */
+#define MIP_KEY(descriptor_set, descriptor) ((uint16_t)((descriptor_set) * 256U + (descriptor)))
+
+/**
+ * What a field is, as one number: `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`.
+ * The constant of a field that occurs in several sets takes the set, so that each is a case of its
+ * own: `case MIP_GNSS_DATA_...(MIP_GNSS_2_SET):`. Shared fields have the same key in every data
+ * set, the acknowledge has it in every command set.
+ */
+static inline uint16_t mip_field_key(const struct mip_field *field) {
+    uint32_t set = field->descriptor_set;
+    if (field->descriptor >= MIP_FIRST_SHARED) {
+        set = set >= 0x80 ? 0xFF : field->descriptor == MIP_ACKNOWLEDGE_DESCRIPTOR ? 0 : set;
+    }
+    return (uint16_t)(set << 8 | field->descriptor);
+}
+
+/* ------------------------------------------------------------------------------- packet builder */
+
+/** Builds a packet from fields, in a buffer of the caller. */
+struct mip_builder {
+    /** The packet so far. */
+    uint8_t *buffer;
+    /** Size of the buffer; at most MIP_MAX_PACKET bytes are used. */
+    size_t capacity;
+    /** Bytes used, without the checksum. */
+    size_t length;
+};
+
+/**
+ * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
+ * the descriptor set is 0 or 0xFF, which no packet has; then nothing can be added.
+ */
+static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer,
+                                          size_t capacity, uint8_t descriptor_set) {
+    builder->buffer = buffer;
+    builder->capacity = 0;
+    builder->length = 0;
+    if (!mip_set_valid(descriptor_set)) {
+        return MIP_ERROR_SET;
+    }
+    if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) {
+        return MIP_ERROR_LENGTH;
+    }
+    buffer[0] = MIP_SYNC_1;
+    buffer[1] = MIP_SYNC_2;
+    buffer[2] = descriptor_set;
+    buffer[3] = 0;
+    builder->capacity = capacity < MIP_MAX_PACKET ? capacity : MIP_MAX_PACKET;
+    builder->length = MIP_HEADER_SIZE;
+    return MIP_OK;
+}
+
+/** Descriptor set of the packet; 0 if none could be begun. */
+static inline uint8_t mip_builder_set(const struct mip_builder *builder) {
+    return builder->length > 0 ? builder->buffer[2] : 0;
+}
+
+/** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
+MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
+                                  size_t size);
+
+/** Writes the checksum and returns the packet. More fields may be added before finishing again. */
+static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) {
+    struct mip_packet packet = {builder->buffer, 0, 0};
+    if (builder->length > 0) {
+        const uint16_t sum = mip_checksum(builder->buffer, builder->length);
+        builder->buffer[builder->length] = (uint8_t)(sum >> 8);
+        builder->buffer[builder->length + 1] = (uint8_t)(sum & 0xFFU);
+        packet.size = builder->length + MIP_CHECKSUM_SIZE;
+        packet.descriptor_set = builder->buffer[2];
+    }
+    return packet;
+}
+
+/* -------------------------------------------------------------------------------- stream parser */
+
+/** Finds packets in a stream of bytes, in pieces of any size. */
+struct mip_parser {
+    /** Bytes so far that are not part of a packet. */
+    uint32_t skipped;
+    /** Bytes in the buffer. */
+    uint16_t length;
+    /** How many of them are done with. */
+    uint16_t done;
+    /** How many more bytes are needed, at least, for a packet. */
+    uint16_t missing;
+    /** The beginning of a packet whose end has not arrived yet. */
+    uint8_t buffer[MIP_MAX_PACKET];
+};
+
+/** Initializes a parser for a new stream. */
+MIP_API void mip_parser_init(struct mip_parser *parser);
+
+/**
+ * Reads bytes until a packet is complete or no byte is left, and advances `data` and `size`.
+ *
+ *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
+ *
+ * The packet is in the caller's bytes, or in the parser if their end has cut it: it is valid until
+ * the parser is called again, and as long as these bytes are unchanged.
+ */
+MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                             struct mip_packet *packet);
+
+/**
+ * Discards the incomplete packet only if a whole packet follows its first bytes, and finds that
+ * packet: the incomplete one was noise. Otherwise nothing changes.
+ */
+MIP_API bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet);
+
+/**
+ * Discards the incomplete packet and finds whole packets after its first bytes.
+ *
+ * Noise may look like the beginning of a packet of up to 261 bytes. The parser then waits for the
+ * rest, and holds back what follows, even whole packets, until that many bytes have arrived or
+ * until this function is called. So call it at the end of a file, and when the line has been silent
+ * for longer than a packet takes. If it is not called, the last packets of a file may be missing,
+ * and packets of a live stream may be delayed, but none is lost. If it is called while the rest of
+ * a packet is still arriving, that packet is lost: see mip_parser_look_behind, which keeps it.
+ *
+ *     while (mip_parser_flush(&parser, &packet)) { ... }
+ */
+MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet);
+
+/* --------------------------------------------------------------------------------- typed fields */
+
+/*
+ * Optional parameters: the member `present`
+ *
+ * Some fields may end early: an older device, or a command that does not need all values, leaves
+ * out their last parameters. The structure of such a field begins with `present`, the number of
+ * parameters that are present, counted from the first one, without the function selector.
+ *
+ * After decoding, it is the number received; the members of the others are zero. Before encoding,
+ * it is the number to send; those that the function requires are always sent, so 0, the value that
+ * constructors leave, means only these. The constants ..._WITH_<PARAMETER> are its values: that
+ * parameter, and all before it.
+ *
+ *     mip_..._write(&command, port, baud);
+ *     command.flow_control = 1;
+ *     command.present = MIP_..._WITH_FLOW_CONTROL;
+ *
+ *     if (response.present >= MIP_..._WITH_FLOW_CONTROL) { ... response.flow_control ... }
+ */
+
+/** A field that is sent to a device. */
+#define MIP_COMMAND 0
+/** A field that answers a command. */
+#define MIP_RESPONSE 1
+/** A field with data, which the device sends by itself. */
+#define MIP_DATA 2
+
+/** The wire format of a type of field. */
+struct mip_codec {
+    /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets; the first
+     * of several: mip_codec_belongs knows them all. */
+    uint8_t descriptor_set;
+    /** Descriptor of the field. */
+    uint8_t descriptor;
+    /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
+    uint8_t role;
+    /** Bytes of data, if they are only numbers that fill the structure; 0 for other layouts. */
+    uint8_t numbers;
+    /** Size of the structure. */
+    uint16_t size;
+    /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
+    uint8_t more_sets;
+    /** The steps that read and write it: see mip/program.h. */
+    const uint8_t *program;
+};
+
+/** Do packets of this descriptor set contain fields of this type? */
+MIP_API bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set);
+
+/** Does the data of a field have this layout of its descriptor, as far as it reaches? */
+MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
+
+/** Is it a field of this type, in any of the descriptor sets in which the type occurs? In which one
+ * it is, its `descriptor_set` says. */
+MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec);
+
+/**
+ * Decodes a field of any type. On an error `value` is zeroed. `trailing` may be NULL; it receives
+ * the number of bytes after the last known parameter, as newer devices may send more.
+ */
+MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
+                             const struct mip_field *field, size_t *trailing);
+
+/**
+ * Encodes a field of any type into a packet. On an error the packet is unchanged. `value` may be
+ * NULL if the field has no parameters.
+ */
+MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
+                             struct mip_builder *builder);
+
+/** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
+ * data sets. */
+static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
+    return field_set == packet_set || (field_set == 0xFF && packet_set >= 0x80) ||
+           (field_set == 0 && packet_set < 0x80);
+}
+
+/** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
+static inline mip_error mip_field_check(const struct mip_field *field, uint8_t descriptor_set,
+                                        uint8_t descriptor, size_t size) {
+    return !mip_set_has(field->descriptor_set, descriptor_set) ? MIP_ERROR_SET
+           : field->descriptor != descriptor                   ? MIP_ERROR_DESCRIPTOR
+           : field->size < size                                ? MIP_ERROR_TRUNCATED
+                                                               : MIP_OK;
+}
+
+/**
+ * Adds a field of this many bytes, which the caller then writes to `*data`. On an error,
+ * MIP_ERROR_SET or MIP_ERROR_LENGTH, the packet is unchanged.
+ */
+static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t descriptor_set,
+                                            uint8_t descriptor, size_t size, uint8_t **data) {
+    const size_t end = builder->length + 2 + size;
+    if (end + MIP_CHECKSUM_SIZE > builder->capacity) {
+        return MIP_ERROR_LENGTH;
+    }
+    if (!mip_set_has(builder->buffer[2], descriptor_set)) {
+        return MIP_ERROR_SET;
+    }
+    uint8_t *at = builder->buffer + builder->length;
+    at[0] = (uint8_t)(size + 2);
+    at[1] = descriptor;
+    *data = at + 2;
+    builder->length = end;
+    builder->buffer[3] = (uint8_t)(end - MIP_HEADER_SIZE);
+    return MIP_OK;
+}
+
+/* -------------------------------------------------------------------------- big-endian numbers */
+
+/** Reads a number of 8 bits. */
+static inline uint8_t mip_get_8(const uint8_t *from) {
+    return from[0];
+}
+/** Reads a number of 16 bits, high byte first. */
+static inline uint16_t mip_get_16(const uint8_t *from) {
+    return (uint16_t)((uint32_t)from[0] << 8 | from[1]);
+}
+/** Reads a number of 32 bits, high byte first. */
+static inline uint32_t mip_get_32(const uint8_t *from) {
+    return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
+}
+/** Reads a number of 64 bits, high byte first. */
+static inline uint64_t mip_get_64(const uint8_t *from) {
+    return (uint64_t)mip_get_32(from) << 32 | mip_get_32(from + 4);
+}
+/** Writes a number of 8 bits. */
+static inline void mip_put_8(uint8_t *to, uint8_t value) {
+    to[0] = value;
+}
+/** Writes a number of 16 bits, high byte first. */
+static inline void mip_put_16(uint8_t *to, uint16_t value) {
+    to[0] = (uint8_t)(value >> 8);
+    to[1] = (uint8_t)value;
+}
+/** Writes a number of 32 bits, high byte first. */
+static inline void mip_put_32(uint8_t *to, uint32_t value) {
+    to[0] = (uint8_t)(value >> 24);
+    to[1] = (uint8_t)(value >> 16);
+    to[2] = (uint8_t)(value >> 8);
+    to[3] = (uint8_t)value;
+}
+/** Writes a number of 64 bits, high byte first. */
+static inline void mip_put_64(uint8_t *to, uint64_t value) {
+    mip_put_32(to, (uint32_t)(value >> 32));
+    mip_put_32(to + 4, (uint32_t)value);
+}
+
+/** The bits of a double of eight bytes as those of a float, rounded to the nearest: for compilers
+ * whose doubles have four bytes. */
+MIP_API uint32_t mip_narrow(uint64_t bits);
+/** The bits of a float as those of a double of eight bytes. */
+MIP_API uint64_t mip_widen(uint32_t bits);
+
+/* By address, because some machines change the bits of a NaN that is passed by value. */
+
+/** Reads a float of four bytes. */
+static inline void mip_get_float(float *to, const uint8_t *from) {
+    const uint32_t bits = mip_get_32(from);
+    memcpy(to, &bits, sizeof(bits));
+}
+/** Writes a float of four bytes. */
+static inline void mip_put_float(uint8_t *to, const float *value) {
+    uint32_t bits;
+    memcpy(&bits, value, sizeof(bits));
+    mip_put_32(to, bits);
+}
+/** Reads a double of eight bytes; it is rounded where the compiler has only four. */
+static inline void mip_get_double(double *to, const uint8_t *from) {
+    const uint64_t bits = mip_get_64(from);
+    const uint32_t narrow = sizeof(*to) == sizeof(bits) ? 0 : mip_narrow(bits);
+    memcpy(to, sizeof(*to) == sizeof(bits) ? (const void *)&bits : &narrow, sizeof(*to));
+}
+/** Writes a double of eight bytes. */
+static inline void mip_put_double(uint8_t *to, const double *value) {
+    uint64_t bits = 0;
+    uint32_t narrow = 0;
+    memcpy(sizeof(*value) == sizeof(bits) ? (void *)&bits : &narrow, value, sizeof(*value));
+    mip_put_64(to, sizeof(*value) == sizeof(bits) ? bits : mip_widen(narrow));
+}
+
+/* ------------------------------------------------------------------------------------ bitfields */
+
+/** Are all of these bits set? */
+static inline bool mip_has(uint64_t flags, uint64_t bits) {
+    return (flags & bits) == bits;
+}
+
+/** Sets bits of a bitfield of 8 bits. */
+static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags | bits);
+}
+/** Clears bits of a bitfield of 8 bits. */
+static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags & ~(uint32_t)bits);
+}
+/** Sets bits of a bitfield of 16 bits. */
+static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags | bits);
+}
+/** Clears bits of a bitfield of 16 bits. */
+static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags & ~(uint32_t)bits);
+}
+/** Sets bits of a bitfield of 32 bits. */
+static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags | bits);
+}
+/** Clears bits of a bitfield of 32 bits. */
+static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags & ~bits);
+}
+/** Sets bits of a bitfield of 64 bits. */
+static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags | bits);
+}
+/** Clears bits of a bitfield of 64 bits. */
+static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags & ~bits);
+}
+
+/** Gets a number in a bitfield of bytes, least significant byte first: `width` bits, at most 64,
+ * starting with bit `first`. */
+MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
+/** Sets a number in a bitfield of bytes: `width` bits, starting with bit `first`. */
+MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
+
+/* ----------------------------------------------------------------- arguments of constructors */
+
+/** Copies as many bytes as there is room for. */
+MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
+/** Copies a string and fills the rest with spaces; `room` counts the terminating NUL too. */
+MIP_API void mip_copy_text(char *to, size_t room, const char *text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,182 @@
+/* A device at a port. */
+#include "mip/device.h"
+
+#include <string.h>
+
+/** For how many milliseconds after a time-out a late answer is looked for. */
+#define LATE 10000
+
+/** Before a command, reading what has arrived ends after so many reads, or milliseconds. */
+#define CATCH_UP_READS 64
+#define CATCH_UP_TIME 100
+
+void mip_device_init(struct mip_device *device, const struct mip_port *port,
+                     const struct mip_handler *handlers, size_t handler_count) {
+    device->port = *port;
+    device->handlers = handlers;
+    device->handler_count = handlers != NULL ? handler_count : 0;
+    device->silence = MIP_DEFAULT_SILENCE;
+    device->heard = 0;
+    device->missed = 0;
+    device->owed = false;
+    device->packet = NULL;
+    mip_client_init(&device->client);
+    mip_parser_init(&device->parser);
+}
+
+/** Is a handler for this field? */
+static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
+    return (handler->descriptor_set == MIP_ANY_SET ||
+            handler->descriptor_set == field->descriptor_set) &&
+           (handler->type == MIP_ANY_FIELD || mip_field_is(field, handler->type));
+}
+
+/** Gives the answers in a packet to the client, and the other fields to the handlers. */
+static void handle(struct mip_device *device, const struct mip_packet *packet) {
+    struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_request *answered;
+    struct mip_field field;
+    while (mip_client_next(&device->client, &walk, &answered, &field)) {
+        const struct mip_handler *h = device->handlers;
+        size_t left = answered == NULL ? device->handler_count : 0;
+        while (left > 0 && !is_for(h, &field)) {
+            h++;
+            left--;
+        }
+        if (left > 0 && h->handle != NULL) {
+            device->packet = packet;
+            h->handle(h->user, &field, device->heard);
+            device->packet = NULL;
+        }
+    }
+}
+
+/** Reads once, into these bytes, and updates the time; `*came`: was there anything? False if the
+ * port is gone. */
+static bool update(struct mip_device *device, uint8_t *bytes, size_t room, bool *came) {
+    const struct mip_port *port = &device->port;
+    const uint8_t *data = bytes;
+    struct mip_packet packet;
+    size_t size = 0;
+    bool open = port->read(port->user, bytes, room, &size);
+    const uint32_t now = port->now(port->user);
+    if (size > room) { /* what has been read is not known */
+        size = 0;
+        open = false;
+    }
+    *came = size > 0;
+    if (*came) {
+        device->heard = now;
+    }
+    const bool ended =
+        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+    /* If there was no room for more, the answer may already be waiting after what was read. */
+    const uint32_t timeout = device->client.timeout;
+    const uint32_t grace = timeout < MIP_DEFAULT_TIMEOUT ? timeout : MIP_DEFAULT_TIMEOUT;
+    const uint32_t passed = size < room ? now : now - grace;
+    while (mip_parser_next(&device->parser, &data, &size, &packet) ||
+           (ended && mip_parser_flush(&device->parser, &packet)) ||
+           mip_client_poll(&device->client, &device->parser, passed, &packet)) {
+        handle(device, &packet);
+    }
+    return open;
+}
+
+bool mip_device_poll(struct mip_device *device) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    bool came;
+    return device->packet != NULL || update(device, bytes, sizeof(bytes), &came);
+}
+
+/** Reads and handles what has arrived; not for ever, because more may be arriving. */
+static void catch_up(struct mip_device *device, uint8_t *bytes, size_t room) {
+    const struct mip_port *port = &device->port;
+    const uint32_t start = port->now(port->user);
+    struct mip_packet packet;
+    unsigned left = CATCH_UP_READS;
+    bool came = true;
+    bool open = true;
+    while (open && came && left > 0 && (uint32_t)(port->now(port->user) - start) < CATCH_UP_TIME) {
+        open = update(device, bytes, room, &came);
+        left--;
+    }
+    while (mip_parser_look_behind(&device->parser, &packet)) {
+        handle(device, &packet);
+    }
+}
+
+static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, uint8_t error) {
+    struct mip_result result;
+    result.outcome = outcome;
+    result.code = code;
+    result.error = error;
+    return result;
+}
+
+static enum mip_outcome outcome_of(const struct mip_request *request) {
+    switch (request->state) {
+    case MIP_REQUEST_ACKNOWLEDGED:
+        return MIP_ACKNOWLEDGED;
+    case MIP_REQUEST_REFUSED:
+        return MIP_REFUSED;
+    case MIP_REQUEST_TIMED_OUT:
+        return MIP_TIMED_OUT;
+    case MIP_REQUEST_SILENT:
+        return MIP_SENT;
+    case MIP_REQUEST_MISSING_RESPONSE:
+        return MIP_MISSING_RESPONSE;
+    case MIP_REQUEST_UNDECODABLE:
+        return MIP_UNDECODABLE;
+    default:
+        return MIP_CLOSED;
+    }
+}
+
+/** The answer to the command may still come. */
+static void owe(struct mip_device *device) {
+    device->missed = device->port.now(device->port.user);
+    device->owed = true;
+}
+
+struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
+                                  const void *value, const struct mip_codec *codec,
+                                  void *response) {
+    const struct mip_port *port = &device->port;
+    uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what is received */
+    struct mip_builder builder;
+    struct mip_request request;
+    if (device->packet != NULL) {
+        if (response != NULL) {
+            memset(response, 0, codec->size);
+        }
+        return result_of(MIP_BUSY, 0, MIP_OK);
+    }
+    if (device->owed) {
+        device->owed = (uint32_t)(port->now(port->user) - device->missed) < LATE;
+        if (device->owed) {
+            catch_up(device, bytes, sizeof(bytes));
+        }
+    }
+    mip_builder_start(&builder, bytes, sizeof(bytes), command->codec->descriptor_set);
+    const mip_error error = mip_client_send(&device->client, &request, &builder, command, value,
+                                            codec, response, port->now(port->user));
+    if (error != MIP_OK) {
+        return result_of(MIP_NOT_SENT, 0, (uint8_t)error);
+    }
+    const struct mip_packet packet = mip_builder_finish(&builder);
+    if (!port->write(port->user, packet.bytes, packet.size)) {
+        mip_client_cancel(&device->client, &request);
+        owe(device); /* a part of it may have been sent */
+        return result_of(MIP_NOT_SENT, 0, MIP_OK);
+    }
+    while (request.state == MIP_REQUEST_WAITING) {
+        bool came;
+        if (!update(device, bytes, sizeof(bytes), &came)) {
+            mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
+        }
+    }
+    if (request.state == MIP_REQUEST_TIMED_OUT || request.state == MIP_REQUEST_CANCELLED) {
+        owe(device);
+    }
+    return result_of(outcome_of(&request), request.code, request.error);
+}

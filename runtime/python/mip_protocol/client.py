@@ -1,0 +1,279 @@
+"""The command client, without input or output.
+
+The caller transfers the bytes and provides the time:
+
+    client = Client()
+    port.write(client.send(Ping(), now=time.monotonic()))
+    while client.pending:
+        for event in client.receive(port.read(), now=time.monotonic()):
+            ...
+
+Times are seconds on any clock that does not jump.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .errors import DecodeError, EncodeError, MissingResponse, PacketError
+from .field import Command, Response
+from .packet import Packet, PacketBuilder, RawField
+from .parser import Parser
+from .protocol import Acknowledge
+from .types import AckCode
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The device has answered a command; `response` is present if the command requests one.
+
+    `error` is the reason why it is missing: the device sent none (`MissingResponse`), or one that
+    cannot be decoded. `raw` is the undecoded response.
+    """
+
+    command: Command
+    code: AckCode
+    response: Response | None = None
+    error: DecodeError | MissingResponse | None = None
+    raw: RawField | None = None
+
+    @property
+    def accepted(self) -> bool:
+        return self.code == 0
+
+
+@dataclass(frozen=True)
+class TimedOut:
+    """The device has not answered in time."""
+
+    command: Command
+
+
+@dataclass(frozen=True)
+class Received:
+    """A packet with fields that do not answer a command: data, or an unexpected reply."""
+
+    packet: Packet
+    taken: frozenset[int] = frozenset()
+    """The positions of the fields that were part of an answer."""
+
+    @property
+    def fields(self) -> tuple[RawField, ...]:
+        """The fields that do not answer a command, up to a malformed one."""
+        return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """Bytes between packets: NMEA sentences, noise, packets with a wrong checksum.
+
+    Events of this kind come only from `Client(skipped=True)`, in order with those of packets.
+    """
+
+    data: bytes
+
+
+#: How a command ends.
+Outcome = Answer | TimedOut
+Event = Outcome | Received | Skipped
+
+
+def check_seconds(timeout: float) -> None:
+    """Raises TypeError or ValueError if this is not a time to wait."""
+    try:
+        right = timeout >= 0
+    except TypeError:
+        raise TypeError(f"timeout {timeout!r}: needs a number of seconds") from None
+    if not right:  # NaN, too
+        raise ValueError(f"timeout {timeout}: needs a number of seconds, 0 or more")
+
+
+@dataclass
+class _Pending:
+    command: Command
+    expected: tuple[type[Response], ...]
+    deadline: float
+
+
+class Client:
+    """Tracks the commands that wait for an answer. Data between the answers is passed through."""
+
+    def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
+        """`timeout`: seconds until a command times out; longer for commands that take longer.
+
+        `skipped`: bytes between packets are also events.
+        """
+        check_seconds(timeout)
+        self._timeout = timeout
+        self._parser = Parser()
+        self._wants_skipped = skipped
+        self._pending: list[_Pending] = []
+
+    @property
+    def pending(self) -> tuple[Command, ...]:
+        """The commands that wait for an answer, oldest first."""
+        return tuple(p.command for p in self._pending)
+
+    @property
+    def skipped(self) -> int:
+        """The number of bytes received that are not part of a packet."""
+        return self._parser.skipped
+
+    def send(self, *commands: Command, now: float, timeout: float | None = None) -> bytes:
+        """The bytes to send: one packet with these commands, all of one descriptor set.
+
+        `timeout`: seconds for these commands, in place of their usual time-outs.
+
+        Raises EncodeError, and waits for no answer, if they do not fit into one packet; ValueError
+        if the time-out is NaN or negative.
+        """
+        if not commands:
+            raise EncodeError("missing", "send needs at least one command")
+        if timeout is not None:
+            check_seconds(timeout)
+        for command in commands:
+            if not isinstance(command, Command):
+                raise EncodeError("set", f"{command!r} is not a command")
+        builder = PacketBuilder(commands[0].SET)
+        for command in commands:
+            if command.SET != commands[0].SET:
+                raise EncodeError("set", "the commands of one packet must be of one descriptor set")
+            builder.add(command.DESCRIPTOR, command.encode())
+        for command in commands:
+            if command.answered:
+                wait = max(self._timeout, command.TIMEOUT or 0.0) if timeout is None else timeout
+                self._pending.append(_Pending(command, command.expected, now + wait))
+        return bytes(builder.build())
+
+    def receive(self, data: bytes, now: float) -> list[Event]:
+        """The events of these bytes and this time: answers, other packets, time-outs."""
+        return self._events(self._parser.feed_all(data)) + self.poll(now)
+
+    def flush(self, now: float) -> list[Event]:
+        """Discards an incomplete packet, for example at the end of a file, and searches its
+        bytes."""
+        return self._events(self._parser.flush_all()) + self.poll(now)
+
+    def look_behind(self, now: float) -> list[Event]:
+        """Discards an incomplete packet only if whole packets follow its first bytes: it was noise.
+
+        Call it when no bytes have arrived for a while. A packet that arrives slowly is kept.
+        """
+        events: list[Event] = []
+        while found := self._parser.look_behind_all():
+            events += self._events(found)
+        return events + self.poll(now)
+
+    @property
+    def deadline(self) -> float | None:
+        """When the next command times out; None if no command waits."""
+        return min((p.deadline for p in self._pending), default=None)
+
+    def cancel(self, command: Command) -> None:
+        """Stops waiting for this command."""
+        self._pending = [p for p in self._pending if p.command is not command]
+
+    def poll(self, now: float) -> list[Event]:
+        """The commands that have timed out.
+
+        Noise that looks like the start of a long packet holds back what follows. Before a command
+        times out, the packets after such noise are processed. An incomplete packet is kept.
+        """
+        events: list[Event] = []
+        while any(p.deadline <= now for p in self._pending):
+            found = self._parser.look_behind_all()
+            if not found:
+                break
+            events += self._events(found)
+        events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
+        self._pending = [p for p in self._pending if p.deadline > now]
+        return events
+
+    def _events(self, found: Iterable[Packet | bytes]) -> list[Event]:
+        events: list[Event] = []
+        for item in found:
+            if isinstance(item, Packet):
+                events += self._taken(item)
+            elif self._wants_skipped:
+                events.append(Skipped(item))
+        return events
+
+    def _taken(self, packet: Packet) -> list[Event]:
+        """The answers in a packet, and the packet itself if it contains other fields."""
+        if packet.set >= 0x80 or not self._pending:
+            return [Received(packet)]
+        fields, malformed = _fields(packet)
+        answers: list[Event] = []
+        taken: set[int] = set()
+        for i, raw in enumerate(fields):
+            if i in taken or raw.descriptor != Acknowledge.DESCRIPTOR:
+                continue
+            answer = self._answer(raw, fields[i + 1] if i + 1 < len(fields) else None)
+            if answer is not None:
+                answers.append(answer)
+                taken.update((i,) if answer.raw is None else (i, i + 1))
+        if answers and len(taken) == len(fields) and not malformed:
+            return answers
+        return [*answers, Received(packet, frozenset(taken))]
+
+    def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
+        """The answer by an acknowledge field and the field after it, to the oldest such command.
+
+        A response never answers a command that does not request it, because it may be the late
+        answer to another one; an acknowledge without a response first answers commands that request
+        none.
+        """
+        try:
+            ack = Acknowledge.decode(raw.data)
+        except DecodeError:
+            return None
+        left_alone: _Pending | None = None
+        for waiting in self._pending:
+            command = waiting.command
+            if (command.SET, command.DESCRIPTOR) != (raw.set, ack.command):
+                continue
+            if ack.code != 0:
+                return self._done(waiting, Answer(command, ack.code))
+            if behind is None or all(r.DESCRIPTOR != behind.descriptor for r in command.RESPONSES):
+                if not waiting.expected:
+                    return self._done(waiting, Answer(command, ack.code))
+                left_alone = left_alone or waiting
+            elif (found := _response(waiting, ack.code, behind)) is not None:
+                return self._done(waiting, found)
+        if left_alone is None:
+            return None
+        error = MissingResponse(left_alone.command.NAME)
+        return self._done(left_alone, Answer(left_alone.command, ack.code, error=error))
+
+    def _done(self, waiting: _Pending, answer: Answer) -> Answer:
+        self._pending = [p for p in self._pending if p is not waiting]
+        return answer
+
+
+def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
+    """The answer with this response, if it is the one that the command requests."""
+    command = waiting.command
+    layouts = (
+        t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor and t.matches(raw.data)
+    )
+    kind = next(layouts, None)
+    if kind is None:
+        return None
+    try:
+        return Answer(command, code, kind.decode(raw.data), None, raw)
+    except DecodeError as error:
+        if error.kind == "constant":  # another layout of the descriptor
+            return None
+        return Answer(command, code, None, error, raw)
+
+
+def _fields(packet: Packet) -> tuple[list[RawField], bool]:
+    """The fields of a packet; is there a malformed one after them?"""
+    fields: list[RawField] = []
+    try:
+        for raw in packet:
+            fields.append(raw)
+    except PacketError:
+        return fields, True
+    return fields, False

@@ -1,0 +1,115 @@
+"""Exceptions. All but `MissingExtra` are `MipError`, which is a `ValueError`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .client import Outcome
+    from .field import Command
+    from .types import AckCode
+
+
+class MipError(ValueError):
+    """`kind` names the error in one word."""
+
+    def __init__(self, kind: str, detail: str) -> None:
+        # `args` keeps the arguments of the class, so that errors can be pickled.
+        self.kind = kind
+        self.detail = detail
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.detail}"
+
+
+class DecodeError(MipError):
+    """Bytes that cannot be decoded."""
+
+
+class Truncated(DecodeError):
+    """The data ends too early."""
+
+    def __init__(self, wanted: int, left: int) -> None:
+        super().__init__("truncated", f"{wanted} bytes needed, {left} left")
+
+
+class PacketError(DecodeError):
+    """Not a packet (`sync`, `length`, `checksum`), or a malformed field in it (`field_length`)."""
+
+
+class MissingResponse(MipError):
+    """A command that requests a response was acknowledged without one."""
+
+    def __init__(self, command: str) -> None:
+        super().__init__("missing_response", f"{command} was acknowledged without its response")
+
+
+class EncodeError(MipError):
+    """A value that cannot be sent.
+
+    `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
+    elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
+    `set`: not of the descriptor set of the packet.
+    """
+
+
+class UnknownName(MipError, LookupError):
+    """A name that is unknown (`unknown_name`) or has several meanings (`ambiguous`); `near` has the
+    names that may be meant."""
+
+    def __init__(self, kind: str, detail: str, near: tuple[str, ...] = ()) -> None:
+        super().__init__(kind, detail)
+        self.near = near
+
+    def __str__(self) -> str:
+        return self.detail
+
+
+class Refused(MipError):
+    """The device has refused a command; `code` is the reason.
+
+    `outcomes`: the outcome of each command of the same packet, as `Device.exchange` returns it.
+    """
+
+    def __init__(
+        self, command: Command, code: AckCode, outcomes: Sequence[Outcome | None] = ()
+    ) -> None:
+        super().__init__("refused", f"{command.NAME}: {code.name} ({int(code)})")
+        self.command = command
+        self.code = code
+        self.outcomes = tuple(outcomes)
+
+
+class NoAnswer(MipError, TimeoutError):
+    """The device has not answered a command in time; it may have carried it out."""
+
+    def __init__(self, command: Command, outcomes: Sequence[Outcome | None] = ()) -> None:
+        super().__init__("no_answer", f"the device has not answered {command.NAME} in time")
+        self.args = (command, outcomes)
+        self.command = command
+        self.outcomes = tuple(outcomes)
+
+
+class PortClosed(MipError, ConnectionError):
+    """The port of a device is closed, or the other end has closed it."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__("closed", why)
+        self.args = (why,)
+
+
+class NoDevice(MipError, ConnectionError):
+    """No device answers at a port, whatever the baud rate."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__("no_device", why)
+        self.args = (why,)
+
+
+class MissingExtra(ImportError):
+    """A package that belongs to an extra of this package is not installed."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        super().__init__(f"{package} is missing; pip install {package}", name=package)
+        self.args = (package, extra)

@@ -1,0 +1,331 @@
+"""What all fields have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
+
+from .codec import typed, vector
+from .described import Described, help_of
+from .errors import DecodeError, EncodeError
+from .packet import Packet, PacketBuilder, RawField, as_bytes
+
+if TYPE_CHECKING:
+    import dataclasses
+
+    # Checkers know defaults of type variables in every version of Python.
+    from typing_extensions import TypeVar as TypeVarWithDefault
+
+
+F = TypeVar("F", bound="Field")
+S = TypeVar("S", bound="Structure")
+H = TypeVar("H", bound="Shared")
+
+
+class _OfDataclass:
+    """What `dataclasses` requires of a class, created on demand."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: Any) -> Any:
+        return getattr(_as_dataclass(owner), self._name)
+
+
+@cache
+def _as_dataclass(kind: Any) -> type:
+    """A data class with the same members."""
+    import dataclasses
+    import inspect
+
+    def described(p: inspect.Parameter) -> Any:
+        given = {} if p.default is p.empty else {"default": p.default}
+        return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **given)
+
+    parameters = inspect.signature(kind).parameters if kind._MEMBERS else {}
+    members = [(name, parameters[name]) for name in kind._MEMBERS]
+    return dataclasses.make_dataclass(
+        kind.__name__, [(name, str(p.annotation), described(p)) for name, p in members]
+    )
+
+
+# An attribute that holds a vector. Decoders store the numbers; the vector is created when it is
+# first read.
+class VectorMember:
+    __slots__ = ("_get", "_kinds", "_set", "_slot")
+
+    def __init__(self, slot: Any, kinds: tuple[type[Any], ...]) -> None:
+        self._slot = slot
+        self._get = slot.__get__
+        self._set = slot.__set__
+        self._kinds = kinds
+
+    def __get__(self, instance: object, owner: type | None = None) -> Any:
+        if instance is None:
+            return self
+        value = self._get(instance)
+        if type(value) not in self._kinds:
+            made = vector(value, *self._kinds)
+            if made is not value:
+                self._set(instance, made)
+            return made
+        return value
+
+    def __set__(self, instance: object, value: Any) -> None:
+        self._set(instance, value)
+
+    def __delete__(self, instance: object) -> None:
+        raise AttributeError("a value cannot be deleted")
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        """The text that `help()` shows."""
+        return help_of(self._slot.__objclass__, self._slot.__name__)
+
+
+class Structure(Described):
+    """A group of named values: a field, or a part of one.
+
+    It also works as a data class, with `dataclasses.replace`, `fields` and `asdict`.
+    """
+
+    __slots__ = ()
+
+    #: The names of its values, in order on the wire.
+    _MEMBERS: ClassVar[tuple[str, ...]] = ()
+
+    #: Those that are vectors, and their kinds.
+    _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
+
+    if TYPE_CHECKING:
+        __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
+    else:
+        __dataclass_fields__ = _OfDataclass()
+        __dataclass_params__ = _OfDataclass()
+
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
+        added = cls.__dict__.get("__slots__", ())
+        cls._MEMBERS += tuple([name for name in added if not name.startswith("_")])
+        for name, kinds in cls.__dict__.get("_VECTORS", {}).items():
+            slot = cls.__dict__[name]
+            setattr(cls, f"_{name}", slot)  # for decoders
+            setattr(cls, name, VectorMember(slot, kinds))
+
+    def _values(self) -> tuple[Any, ...]:
+        return tuple([getattr(self, name) for name in self._MEMBERS])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Structure) or other.__class__ is not self.__class__:
+            return NotImplemented
+        return self._values() == other._values()
+
+    def __repr__(self) -> str:
+        values = ", ".join([f"{name}={getattr(self, name)!r}" for name in self._MEMBERS])
+        return f"{type(self).__qualname__}({values})"
+
+    def __replace__(self: S, **changes: Any) -> S:
+        return type(self)(**(dict(zip(self._MEMBERS, self._values())) | changes))
+
+    @classmethod
+    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
+        """The values at an offset, and where they end."""
+        raise NotImplementedError
+
+    def _write(self) -> bytes:
+        raise NotImplementedError
+
+
+class Field(Structure):
+    """One field: a command, a response or data."""
+
+    __slots__ = ()
+
+    SET: ClassVar[int]  # its descriptor set; one that occurs in several listed sets has none
+    SETS: ClassVar[Sequence[int]]  # the descriptor sets in which it occurs
+    DESCRIPTOR: ClassVar[int]
+    NAME: ClassVar[str]  # in the specification: "base.ping"
+    ROLE: ClassVar[str]  # "command", "response" or "data"
+
+    #: Attribute, letters of `struct` and what makes its value from the numbers, for each value, if all
+    #: are numbers at fixed places.
+    _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...] | None] = None
+
+    @property
+    def packet_set(self) -> int | None:
+        """The descriptor set of the packet that contained it; None if that is not known."""
+        return self.SET
+
+    @classmethod
+    def name_in(cls, set: int) -> str:
+        """Its full name in a descriptor set: "gnss_2.dop". What occurs in every set has one name."""
+        from ._index import SETS
+
+        listed = set in cls.SETS and not isinstance(cls.SETS, range)
+        known = SETS.get(set) if listed else None
+        return f"{known[0]}.{cls.NAME.partition('.')[2]}" if known else cls.NAME
+
+    def encode(self) -> bytes:
+        """The data of the field, without its length and descriptor. Raises EncodeError."""
+        try:
+            return self._write()
+        except EncodeError as error:
+            raise typed(self, error) from None
+
+    @classmethod
+    def decode(cls: type[F], data: bytes | bytearray | memoryview) -> F:
+        """The values of a field's data. Raises DecodeError; bytes left over are not an error."""
+        return cls._read(data if type(data) is bytes else as_bytes(data), 0)[0]
+
+    @classmethod
+    def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
+        """The values, and how many bytes are left over (newer devices send more)."""
+        raw = data if type(data) is bytes else as_bytes(data)
+        value, end = cls._read(raw, 0)
+        return value, len(raw) - end
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        """Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size."""
+        return True
+
+    def _called(self, name: str) -> str:
+        return name if self.packet_set is None else self.name_in(self.packet_set)
+
+    def packet(self, set: int | None = None) -> Packet:
+        """A packet with only this field, of the set that contained it, or of the given one. Raises EncodeError."""
+        number = self.packet_set if set is None else set
+        if number is None:
+            raise EncodeError(
+                "set", f"{self.NAME} belongs to packets of several sets: name one, packet(set)"
+            )
+        if number not in self.SETS:
+            raise EncodeError(
+                "set", f"{self.NAME} does not occur in packets of the set 0x{number:02X}"
+            )
+        return PacketBuilder(number).add(self.DESCRIPTOR, self.encode()).build()
+
+    @classmethod
+    def find(cls: type[F], packet: Packet) -> F | None:
+        """The first field of this type in a packet, if there is one.
+
+        Raises DecodeError if it cannot be decoded, or if the packet ends within a field before it
+        is found.
+        """
+        return next(cls.find_all(packet), None)
+
+    @classmethod
+    def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
+        """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
+        cannot be decoded, or within which the packet ends."""
+        if packet.set in cls.SETS:
+            for raw in packet:
+                if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
+                    yield cls._received(raw)
+
+    @classmethod
+    def _received(cls: type[F], raw: RawField) -> F:
+        """The values of a field of a packet."""
+        return cls._read(raw.data, 0)[0]
+
+
+class Shared(Field):
+    """A field that occurs in packets of several sets, and remembers which one contained it."""
+
+    __slots__ = ("_packet_set",)
+
+    _packet_set: int
+
+    @property
+    def packet_set(self) -> int | None:
+        """The descriptor set of the packet that contained it; None if there was none. It is not
+        part of the value."""
+        return getattr(self, "_packet_set", None)
+
+    @classmethod
+    def _received(cls: type[H], raw: RawField) -> H:
+        found = cls._read(raw.data, 0)[0]
+        found._packet_set = raw.set
+        return found
+
+    def __replace__(self: H, **changes: Any) -> H:
+        found = super().__replace__(**changes)
+        if self.packet_set is not None:
+            found._packet_set = self.packet_set
+        return found
+
+
+class Response(Field):
+    """A field that follows the acknowledge of a command."""
+
+    __slots__ = ()
+
+    COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
+
+
+#: For where a field's own member is called `type`.
+ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
+ClassOf: TypeAlias = "type[F]"
+
+
+#: What a client gets for a command: its response, or None.
+if TYPE_CHECKING:
+    R = TypeVarWithDefault("R", bound="Response | None", covariant=True, default="Response | None")
+else:
+    R = TypeVar("R", bound="Response | None", covariant=True)
+
+
+class Command(Field, Generic[R]):
+    """A field that the device acknowledges, with or without a response.
+
+    `Command[R]` has a response of type R, or None.
+    """
+
+    __slots__ = ()
+
+    RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
+    TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
+    #: Settings of the device with which it does not acknowledge the command: set and descriptor of
+    #: the command that sets it, the parameter and its value.
+    SILENCED_BY: ClassVar[tuple[tuple[int, int, str, int], ...]] = ()
+    #: Function selector -> how many parameters it requires; others may be None.
+    REQUIRED: ClassVar[dict[int, int]] = {}
+
+    @property
+    def answered(self) -> bool:
+        """Does the device acknowledge it, with these values?"""
+        return True
+
+    @property
+    def expected(self) -> ResponseClasses:
+        """The response that it requests with these values: devices may have different layouts of it."""
+        return self.RESPONSES
+
+
+class Data(Field):
+    """A measurement."""
+
+    __slots__ = ()
+
+
+def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
+    """The layout of a field's data, if its descriptor has several."""
+    if len(types) == 1:
+        return types[0]
+    return next((t for t in types if t.matches(raw.data)), None)
+
+
+__all__ = [
+    "ClassOf",
+    "Command",
+    "Data",
+    "DecodeError",
+    "Field",
+    "R",
+    "Response",
+    "ResponseClasses",
+    "Shared",
+    "Structure",
+    "chosen",
+]

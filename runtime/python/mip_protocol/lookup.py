@@ -1,0 +1,168 @@
+"""Finds fields, sets and devices by name, and gives the nearest names for unknown ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+from ._index import DEVICES, FAMILIES, FIELDS, SETS
+from .errors import UnknownName
+from .field import Field
+
+#: Words of names in other bindings that say nothing of the field itself.
+NOISE = frozenset(("mip", "data", "command", "commands"))
+#: What begins names in C, and those of modules that would begin with a digit: `mip` of `mip_3dm`.
+PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
+
+
+def field(name: str) -> type[Field]:
+    """The type of a field; see `registry.by_name`."""
+    found = _named(_checked(name, "a field"))
+    if len(found) == 1:
+        set, kind = FIELDS[found[0]][:2]
+        kind_: type[Field] = getattr(import_module(f".{set}", __package__), kind)
+        return kind_
+    if found:
+        raise ambiguous(name, found)
+    raise unknown(name, "a field", FIELDS, _near(name))
+
+
+def _checked(name: Any, what: str) -> str:
+    if isinstance(name, str):
+        return name
+    raise UnknownName("unknown_name", f"{name!r} is not the name of {what}")
+
+
+def _named(name: str) -> tuple[str, ...]:
+    """The full names of the fields with this name."""
+    first, _, own = name.partition(".")
+    full = f"{FAMILIES.get(first, first)}.{own}"
+    if full in FIELDS:
+        return (full,)
+    numbers = re.fullmatch(r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", name.strip(), re.I)
+    if numbers:
+        from .registry import types
+
+        return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
+    words, prefix = _words(name), _words(PREFIX)
+    words = words[len(prefix) :] if words[: len(prefix)] == prefix else words
+    found = _keys().get("".join(words)) or _keys().get(_key(words), ())
+    for role in ("command", "data"):
+        hinted = tuple(x for x in found if FIELDS[x][2] == role)
+        if len(found) > 1 and hinted and {role, f"{role}s"} & {*words}:
+            found = hinted
+    return found
+
+
+def _words(name: str) -> list[str]:
+    """
+    >>> _words("sensor.ScaledAccel"), _words("sensor_scaled_accel_data")
+    (['sensor', 'scaled', 'accel'], ['sensor', 'scaled', 'accel', 'data'])
+    """
+    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
+    return re.findall(r"[a-z0-9]+", apart.lower())
+
+
+def _joined(name: str) -> str:
+    return "".join(_words(name))
+
+
+def _key(words: list[str]) -> str:
+    return "".join(w for w in words if w not in NOISE) or "".join(words)
+
+
+@cache
+def _keys() -> dict[str, tuple[str, ...]]:
+    """Names of fields, without their insignificant parts -> full names."""
+    found: dict[str, dict[str, None]] = {}
+    for full, (_, _, _, title, also) in FIELDS.items():
+        family, _, own = full.partition(".")
+        sets = ("", family, *(name for name, of in FAMILIES.items() if of == family))
+        for words in (
+            _words(f"{first} {called}") for called in (own, title, *also) for first in sets
+        ):
+            for key in ("".join(words), _key(words)):
+                found.setdefault(key, {})[full] = None
+    return {key: tuple(names) for key, names in found.items()}
+
+
+def _near(name: str) -> list[str]:
+    from difflib import get_close_matches
+
+    keys = _keys()
+    close = get_close_matches(_key(_words(name)), keys, n=4, cutoff=0.7)
+    return list(dict.fromkeys(full for key in close for full in keys[key]))[:4]
+
+
+def set_number(name: str) -> int:
+    """The number of a descriptor set; see `registry.set_by_name`."""
+    _checked(name, "a descriptor set")
+    try:
+        number = int(name, 16) if name.lower().startswith("0x") else None
+    except ValueError:
+        number = None
+    found = [n for n, names in SETS.items() if n == number or name in names]
+    if not found:
+        wanted = _joined(name).removeprefix(_joined(PREFIX))
+        found = [n for n, names in SETS.items() if wanted in map(_joined, names)]
+    if len(found) == 1:
+        return found[0]
+    raise unknown(name, "a descriptor set", [names[0] for names in SETS.values()])
+
+
+@cache
+def device_id(name: str) -> str:
+    """The id of a device, of its id, its title or another name, or the last words of one."""
+    wanted = _joined(_checked(name, "a device"))
+    for id, names in DEVICES.items():
+        if wanted in map(_joined, (id, *names)):
+            return id
+    from difflib import get_close_matches
+
+    keys = _ends()
+    found = keys.get(wanted, ())
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise ambiguous(name, found)
+    close = get_close_matches(wanted, keys, n=4)
+    raise unknown(name, "a device", DEVICES, dict.fromkeys(id for k in close for id in keys[k]))
+
+
+@cache
+def _ends() -> dict[str, tuple[str, ...]]:
+    """The last words of the names of devices ("gx5-45", "45") -> their ids."""
+    found: dict[str, dict[str, None]] = {}
+    for id, names in DEVICES.items():
+        for words in map(_words, (id, *names)):
+            for first in range(1, len(words)):
+                found.setdefault("".join(words[first:]), {})[id] = None
+    return {end: tuple(ids) for end, ids in found.items()}
+
+
+def unknown(
+    name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
+) -> UnknownName:
+    """The error for an unknown name, with the nearest names."""
+    from difflib import get_close_matches
+
+    known = list(known)
+    close = tuple(get_close_matches(name, known, n=4) if near is None else near)[:4]
+    few = tuple(known) if len(known) <= 8 else ()
+    hint = f"did you mean {_either(close)}?" if close else f"known: {', '.join(few)}" if few else ""
+    text = f"{name!r} is not {what}"
+    return UnknownName("unknown_name", f"{text}; {hint}" if hint else text, close or few)
+
+
+def ambiguous(name: str, found: tuple[str, ...]) -> UnknownName:
+    return UnknownName("ambiguous", f"{name!r} may be {_either(found)}", found)
+
+
+def _either(names: tuple[str, ...]) -> str:
+    return " or ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+__all__ = ["ambiguous", "device_id", "field", "set_number", "unknown"]

@@ -1,0 +1,157 @@
+"""The description of a parameter: one value of a field or of a structure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, overload
+
+if TYPE_CHECKING:
+    from .described import Described
+
+
+@dataclass(frozen=True)
+class Flag:
+    """A bit, or a bool, that says whether a value is valid."""
+
+    name: str  # its name in the specification: "valid_flags.tow"
+    attribute: str  # of the same field or structure: the value that holds it
+    mask: int  # 0: that value is a bool
+
+    @overload
+    def holds(self, flags: int) -> bool: ...
+    @overload
+    def holds(self, flags: Any) -> Any: ...
+    def holds(self, flags: Any) -> Any:
+        """Is it set in the value of its attribute? For a NumPy array: in each element."""
+        return (flags & self.mask) == self.mask if self.mask else flags != 0
+
+
+@dataclass(frozen=True)
+class Variant:
+    """What differs on some devices, or for some values of another parameter."""
+
+    by: str  # "device", or the attribute that holds the other value
+    keys: tuple[str | int, ...]  # ids of devices, or that value
+    changes: dict[str, Any]  # attributes of `Parameter` -> what they are there
+    member: str = ""  # of a structure: the attribute that differs, in place of the whole
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One value on the wire. `name` is that of the specification."""
+
+    name: str
+    attribute: str
+    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
+    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
+    size: int = 0
+    elements: tuple[str, ...] = ()  # of a vector
+    length: int | str | None = None  # a number, the counter's name, or "rest"
+    constant: int | None = None
+    counts: str = ""  # attribute of the array that a counter counts
+    type: Any = None  # enumeration, bitfield or structure
+    tag: str = ""  # attribute that selects a union's member
+    cases: dict[int, Parameter | None] = field(default_factory=dict)
+    units: tuple[str, ...] = ()  # one for all elements, or one for each
+    frame: str = ""
+    valid: tuple[str, ...] = ()  # what says that it is valid: "flags.bit" or a bool; one, or each's
+    flags: tuple[Flag, ...] = ()  # the same; empty if that depends on the device
+    minimum: float | None = None
+    maximum: float | None = None
+    above: float | None = None  # the value is greater, not equal
+    below: float | None = None
+    magnitude: tuple[float | None, float | None] = (None, None)  # least and most of a vector
+    default: Any = None  # factory default, or what to send if reserved; names as numbers
+    required: tuple[str, ...] = ()  # of a command: the functions that require it
+    optional: bool = False  # it may be left out
+    reserved: bool = False
+    deprecated: bool = False
+    only: tuple[str, ...] = ()  # of the values or bits that its type names, those that there are
+    variants: tuple[Variant, ...] = ()
+    flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by id of the device
+    owner: Any = field(default=None, compare=False, repr=False)  # the class that documents it
+
+    @property
+    def derived(self) -> bool:
+        """Does it follow from the rest, so that objects do not contain it: a constant or a
+        counter?"""
+        return self.constant is not None or bool(self.counts)
+
+    @property
+    def unit(self) -> str:
+        """The unit of all its elements, or those of each: "m/s", "deg, deg, m"; "1" if it is a plain number."""
+        return ", ".join(self.units)
+
+    @property
+    def range(self) -> str:
+        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is
+        allowed."""
+        low, high = self.minimum, self.maximum
+        if low is not None and high is not None:
+            return f"{low} to {high}"
+        bounds = (("at least", low), ("greater than", self.above), ("at most", high))
+        found = [f"{word} {x}" for word, x in (*bounds, ("less than", self.below)) if x is not None]
+        return ", ".join(found)
+
+    @property
+    def layout(self) -> str:
+        """Its type on the wire: "u16", "float[3]", "u8[num_points]", "char[16]"; of a structure its class."""
+        one = "union" if self.tag else self.scalar or self.type.__name__
+        if self.scalar == "bits":
+            one = f"u8[{self.size}]"
+        counts = [self.length] if self.length is not None else []
+        counts += [len(self.elements)] if self.elements else []
+        return one + "".join(f"[{count}]" for count in counts)
+
+    @property
+    def text(self) -> str:
+        """Its documentation; that of a union's case is part of the union's."""
+        from . import prose
+
+        name = self.name if self.derived else self.attribute
+        return prose.text(self.owner, name) if self.owner else ""
+
+    def on(self, device: str) -> Parameter:
+        """The parameter on a device. `device` is its id or another name; raises UnknownName."""
+        from .lookup import device_id
+
+        key = device_id(device)
+        changes = self._changes("device", key)
+        if key in self.flags_on:
+            changes["flags"] = self.flags_on[key]
+        return replace(self, **changes) if changes else self
+
+    def of(self, holder: Described, device: str | None = None) -> Parameter:
+        """The parameter for the other values of an object, and on a device, if one is given."""
+        found = self if device is None else self.on(device)
+        for by in {v.by: None for v in self.variants if v.by != "device"}:
+            changes = self._changes(by, getattr(holder, by))
+            found = replace(found, **changes) if changes else found
+        return found
+
+    def _changes(self, by: str, key: object) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for v in self._that_hold(by, key):
+            found |= {} if v.member else v.changes
+        return found
+
+    def inside(self, holder: Described, device: str | None = None) -> dict[str, dict[str, Any]]:
+        """For a structure: what differs for its members there, by attribute."""
+        found: dict[str, dict[str, Any]] = {}
+        for by in {v.by: None for v in self.variants if v.member}:
+            for v in self._that_hold(by, device if by == "device" else getattr(holder, by)):
+                found[v.member] = found.get(v.member, {}) | v.changes if v.member else {}
+        return found
+
+    def _that_hold(self, by: str, key: object) -> Iterator[Variant]:
+        return (v for v in self.variants if v.by == by and key in v.keys)
+
+    def format(self, value: Any) -> str:
+        """A value as text, with units and names: "(x=0.1, y=0.2, z=-1.0) g", "lat_lon|msl_height"."""
+        from .text import formatted
+
+        return formatted(self, value)
+
+
+__all__ = ["Flag", "Parameter", "Variant"]

@@ -1,0 +1,104 @@
+"""Finds the type of any field. Sets are imported when they are first used."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+
+from ._sets import MODULES
+from .field import Field, chosen
+from .layouts import Layouts
+from .packet import Packet, RawField
+from .protocol import Acknowledge
+
+SHARED_SET = 0xFF
+
+__all__ = [
+    "MODULES",
+    "SHARED_SET",
+    "all_types",
+    "by_name",
+    "decode",
+    "decode_packet",
+    "names",
+    "set_by_name",
+    "types",
+]
+
+
+@cache
+def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
+    """The types of a descriptor in packets of a set; empty if it is unknown.
+
+    If there are several, constants in the data, or its size, distinguish them.
+    """
+    own = _in_set(set, descriptor)
+    everywhere: list[type[Field]] = [Acknowledge, *_fields(SHARED_SET).get(descriptor, ())]
+    return own or tuple(t for t in everywhere if t.DESCRIPTOR == descriptor and set in t.SETS)
+
+
+def _in_set(set: int, descriptor: int) -> tuple[type[Field], ...]:
+    return tuple(t for t in _fields(set).get(descriptor, ()) if set in t.SETS or set == SHARED_SET)
+
+
+@cache
+def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
+    name = MODULES.get(set)
+    if name is None:
+        return {}
+    fields: dict[int, tuple[type[Field], ...]] = import_module(f".{name}", __package__).FIELDS
+    return fields
+
+
+def by_name(name: str) -> type[Field]:
+    """The type of a field: by its full name ("sensor.scaled_accel"), by the name of its class
+    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or by the vendor's name.
+
+    The name of the set may be left out if the rest is unambiguous. Raises UnknownName, which gives
+    the nearest names.
+    """
+    from .lookup import field
+
+    return field(name)
+
+
+def set_by_name(name: str) -> int:
+    """The number of a descriptor set: by its name ("sensor", "3dm"), its title, or "0x80". Raises UnknownName."""
+    from .lookup import set_number
+
+    return set_number(name)
+
+
+def names() -> tuple[str, ...]:
+    """The full names of all fields, by set. Imports none of them."""
+    from ._index import FIELDS
+
+    return tuple(FIELDS)
+
+
+def all_types() -> list[tuple[int, type[Field]]]:
+    """Every (set, type) of the specification, in order."""
+    found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
+    for number in MODULES:
+        for descriptor in _fields(number):
+            found += [(number, t) for t in _in_set(number, descriptor)]
+    return found
+
+
+def decode(raw: RawField) -> Field | None:
+    """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
+    kind = chosen(types(raw.set, raw.descriptor), raw)
+    return None if kind is None else kind._received(raw)
+
+
+def decode_packet(packet: Packet) -> list[Field | RawField]:
+    """All fields of a packet; those that are unknown or cannot be decoded stay raw.
+
+    `error` of a raw field is the reason why it cannot be decoded. Stops at a malformed field,
+    because no field can be found after it: see `Packet.malformed`.
+    """
+    return list(LAYOUTS.decode(packet))
+
+
+#: The decoders of whole packets that were made so far.
+LAYOUTS = Layouts(types)

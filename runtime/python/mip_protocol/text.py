@@ -1,0 +1,292 @@
+"""Objects as dictionaries and as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from enum import IntEnum, IntFlag
+from functools import lru_cache
+from math import isfinite
+from struct import pack
+from typing import Any, NamedTuple
+
+from .codec import with_article
+from .described import Described
+from .errors import EncodeError
+from .parameter import Parameter
+
+#: What differs for the members of a structure, by attribute.
+Inside = dict[str, dict[str, Any]]
+
+
+class Item(NamedTuple):
+    """One value of an object."""
+
+    parameter: Parameter  # as it is beside the other values, and on the device
+    value: Any
+    text: str  # with its unit
+    valid: bool  # according to its flags
+
+
+# --------------------------------------------------------------------------- meaning
+
+
+def meant(p: Parameter, value: Any) -> Any:
+    """A value as the enumeration or bitfield of its parameter, each item of an array; others unchanged.
+
+    Raises EncodeError for what is not a number.
+    """
+    kind = p.type
+    if value is None or not isinstance(kind, type) or not issubclass(kind, (IntEnum, IntFlag)):
+        return value
+    needs = with_article(kind)
+    try:
+        if not _several(value):
+            return kind(value)
+        if p.scalar == "u8" and issubclass(kind, IntFlag) and _bits(kind)[1] > 0xFF:
+            needs = "numbers from 0 to 255"
+            return kind(int.from_bytes(bytes(value), "little"))  # an array of bytes holds it
+        return tuple(map(kind, value))
+    except (TypeError, ValueError):
+        raise EncodeError("range", f"{p.attribute} is {value!r}, needs {needs}") from None
+
+
+def _several(value: object) -> bool:
+    return hasattr(value, "__len__") and not isinstance(value, (str, bytes, int))
+
+
+@lru_cache(maxsize=256)
+def _values(kind: type[IntEnum]) -> dict[int, str]:
+    """Value -> its name."""
+    from .reflection import info
+
+    return {v.value: v.name for v in info(kind).values}
+
+
+@lru_cache(maxsize=256)
+def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], int]:
+    """Name, mask, first bit and enumeration of each number in a bitfield; the mask of them all."""
+    from .reflection import info
+
+    found = [(b.name, b.mask, b.first, b.type) for b in info(kind).bits if not b.alias]
+    return tuple(found), sum(mask for _, mask, _, _ in found)
+
+
+@lru_cache(maxsize=1024)
+def _set_bits(kind: type[IntFlag], value: int) -> tuple[str, ...]:
+    """What is set in a bitfield; numbers of several bits in any case."""
+    named, known = _bits(kind)
+    found = []
+    for name, mask, first, type in named:
+        number = (value & mask) >> first
+        if mask >> first != 1:
+            found.append(f"{name}={_values(type).get(number, number) if type else number}")
+        elif number:
+            found.append(name)
+    rest = value & ~known
+    return (*found, f"0x{rest:X}") if rest else tuple(found)
+
+
+# --------------------------------------------------------------------------- dictionaries
+
+
+def as_dict(
+    holder: Described, names: bool, json: bool, device: str | None, inside: Inside | None = None
+) -> dict[str, Any]:
+    found = {}
+    for p in holder.INFO.members:
+        value = getattr(holder, p.attribute)
+        if value is not None:
+            value = _plain(_here(p, holder, device, inside), value, holder, names, json, device)
+        found[p.name] = value
+    return found
+
+
+def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | None) -> Parameter:
+    """A parameter as it is beside the other values, and inside of what holds these."""
+    if p.variants or p.flags_on:
+        p = p.of(holder, device)
+    return replace(p, **inside[p.attribute]) if inside and p.attribute in inside else p
+
+
+def _plain(
+    p: Parameter, value: Any, holder: Described, names: bool, json: bool, device: str | None
+) -> Any:
+    """A value of what JSON knows: dicts, lists, numbers, text."""
+    if p.tag:
+        case = _case(p, holder)
+        return _plain(case, value, holder, names, json, device) if case else _number(value, json)
+    value = meant(p, value) if names else value
+    if isinstance(p.type, type) and issubclass(p.type, Described):
+        inside = p.inside(holder, device) if p.variants else None
+        alone = p.length is None or not _several(value)
+        dicts = [
+            as_dict(x, names, json, device, inside) if isinstance(x, Described) else x
+            for x in ((value,) if alone else value)
+        ]
+        return dicts[0] if alone else dicts
+    if p.elements and _several(value):
+        vectors = value if p.length is not None else (value,)
+        made = [_vector(p, x, names, json) for x in vectors]
+        return made if p.length is not None else made[0]
+    if _several(value):
+        return [_one(x, names, json) for x in value]
+    return _one(value, names, json)
+
+
+def _case(p: Parameter, holder: Described) -> Parameter | None:
+    """The alternative of a union that is present."""
+    tag = getattr(holder, p.tag)
+    return p.cases.get(tag) if isinstance(tag, int) else None
+
+
+def _vector(p: Parameter, value: Any, names: bool, json: bool) -> Any:
+    numbers = [_number(x, json) for x in value] if _several(value) else []
+    if names and len(numbers) == len(p.elements):
+        return dict(zip(p.elements, numbers))
+    return numbers
+
+
+def _one(value: Any, names: bool, json: bool) -> Any:
+    if names and isinstance(value, IntEnum):
+        return _values(type(value)).get(int(value), int(value))
+    if names and isinstance(value, IntFlag):
+        return list(_set_bits(type(value), int(value)))
+    return _number(value, json)
+
+
+def _number(value: Any, json: bool) -> Any:
+    if isinstance(value, float):
+        return float(value) if isfinite(value) or not json else None
+    return value if isinstance(value, (bool, str)) or not isinstance(value, int) else int(value)
+
+
+# --------------------------------------------------------------------------- text
+
+
+def as_text(holder: Described, device: str | None) -> str:
+    try:
+        name = holder._called(holder.INFO.name)
+    except AttributeError:
+        return repr(holder)  # a class of the user's own
+    try:
+        known = items(holder, device)
+    except EncodeError:
+        return repr(holder)  # with values that cannot be sent
+    found = ", ".join(
+        f"{item.parameter.name} = {item.text}{'' if item.valid else ' (invalid)'}" for item in known
+    )
+    return f"{name}: {found}" if found else name
+
+
+def items(holder: Described, device: str | None = None) -> list[Item]:
+    """The values of an object that were sent, each with its text and whether its flags say that it is valid."""
+    return _items(holder, device, None)
+
+
+def _items(holder: Described, device: str | None, inside: Inside | None) -> list[Item]:
+    found = []
+    for p in holder.INFO.members:
+        value = getattr(holder, p.attribute)
+        if value is not None:
+            p = _here(p, holder, device, inside)
+            valid = not p.flags or holder.is_valid(p.name, device)
+            found.append(Item(p, value, _text(p, value, holder, device), valid))
+    return found
+
+
+def formatted(p: Parameter, value: Any) -> str:
+    return _text(p, value, None, None)
+
+
+def _text(p: Parameter, value: Any, holder: Described | None, device: str | None) -> str:
+    if value is None:
+        return "-"
+    if p.tag:
+        case = _case(p, holder) if holder is not None else None
+        return _text(case, value, holder, device) if case else str(value)
+    value = meant(p, value)
+    if isinstance(p.type, type) and issubclass(p.type, Described):
+        inside = p.inside(holder, device) if p.variants and holder is not None else None
+        if p.length is None or not _several(value):
+            return _structure(value, device, inside)
+        return _list(_structure(x, device, inside) for x in value)
+    if p.elements and _several(value):
+        many = len(set(p.units)) > 1  # a unit for each element
+        unit = "" if many else _unit(p.units)
+        if p.length is None:
+            return _elements(p, value, many) + unit
+        return _list(_elements(p, x, many) for x in value) + unit
+    if _several(value):
+        many = len(set(p.units)) > 1
+        units = p.units if many else ("",) * len(value)
+        shown = (_word(p, x) + _unit((unit,)) for x, unit in zip(value, units))
+        return _list(shown) + ("" if many else _unit(p.units))
+    return _word(p, value) + _unit(p.units)
+
+
+def _unit(units: tuple[str, ...]) -> str:
+    return f" {units[0]}" if units and units[0] not in ("", "1") else ""
+
+
+def _list(texts: Iterable[str]) -> str:
+    return f"[{', '.join(texts)}]"
+
+
+def _structure(value: Any, device: str | None, inside: Inside | None) -> str:
+    if not isinstance(value, Described):
+        return repr(value)
+    found = _items(value, device, inside)
+    shown = (f"{x.parameter.name} = {x.text}{'' if x.valid else ' (invalid)'}" for x in found)
+    return f"({', '.join(shown)})"
+
+
+def _elements(p: Parameter, value: Any, many: bool) -> str:
+    """A vector; the names of the elements of a matrix are of no use."""
+    if not _several(value):
+        return repr(value)
+    shown = [_word(p, x) for x in value]
+    if len(shown) != len(p.elements) or len(shown) > 4:
+        return f"({', '.join(shown)})"
+    units = p.units if many else ("",) * len(shown)
+    found = (f"{name}={x}{_unit((unit,))}" for name, x, unit in zip(p.elements, shown, units))
+    return f"({', '.join(found)})"
+
+
+def _word(p: Parameter, value: Any) -> str:
+    match value:
+        case IntEnum():
+            return _values(type(value)).get(int(value), str(int(value)))
+        case IntFlag():
+            return "|".join(_set_bits(type(value), int(value))) or "0"
+        case bool():
+            return "true" if value else "false"
+        case str():
+            return repr(value.strip("\0 "))
+        case float() if p.scalar == "float":
+            return shortest(value)
+        case int():
+            return str(int(value))
+    return repr(value)
+
+
+def shortest(value: float) -> str:
+    """The shortest text of a number that came in four bytes.
+
+    >>> shortest(0.10000000149011612)
+    '0.1'
+    """
+    try:
+        wanted = pack(">f", value)
+    except OverflowError:
+        return repr(value)
+    if not isfinite(value):
+        return repr(value)
+    for digits in (6, 7, 8):
+        text = f"{value:.{digits}g}"
+        if pack(">f", float(text)) == wanted:
+            return repr(float(text))
+    return repr(float(f"{value:.9g}"))
+
+
+__all__ = ["Item", "as_dict", "as_text", "formatted", "items", "meant", "shortest"]

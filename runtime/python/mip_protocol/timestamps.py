@@ -1,0 +1,178 @@
+"""What timestamps say, for single packets and for columns alike."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from datetime import datetime, timedelta
+from functools import cache, lru_cache
+from typing import NamedTuple
+
+from . import registry
+from ._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
+from .errors import DecodeError
+from .field import Field
+from .packet import Packet
+from .parameter import Flag, Parameter
+
+SECOND = 1_000_000_000
+#: How far before a packet without a timestamp the last one of its set may be, in bytes. The same
+#: for every way of cutting a file.
+REACH = 1 << 20
+#: A part of a timestamp is not valid if it is so many nanoseconds or more: two of them fit into 64 bits.
+MOST = 4 * 10**18
+
+_UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
+_UNIX = datetime(1970, 1, 1)
+
+
+def scale(parameter: Parameter) -> int | None:
+    """The nanoseconds of its unit. A timestamp is the sum of all parameters that have such a unit."""
+    return _UNITS.get(parameter.units[0]) if len(parameter.units) == 1 else None
+
+
+@cache
+def clock_of(set: int, descriptor: int) -> str | None:
+    """The clock of a field, if it holds the time of its packet. Of several in a packet, the lowest counts."""
+    kinds = registry.types(set, descriptor)
+    if set < 0x80 or len(kinds) != 1:
+        return None
+    return TIMESTAMPS.get((getattr(kinds[0], "SET", set), descriptor))
+
+
+@cache
+def kinds(set: int, clock: str) -> tuple[type[Field], ...]:
+    """The fields of a set that hold the time of a clock, in the order in which they count."""
+    known = sorted({d for _, d in TIMESTAMPS if clock_of(set, d) == clock})
+    return tuple(registry.types(set, d)[0] for d in known)
+
+
+class Leaps(NamedTuple):
+    """How a clock becomes UTC: times from `begins[i]` on are moved by `shifts[i + 1]`, earlier ones by `shifts[0]`."""
+
+    begins: tuple[int, ...]
+    shifts: tuple[int, ...]
+
+
+@cache
+def leaps(clock: str) -> Leaps:
+    """In nanoseconds, since the beginning of the clock; `shifts` lead to 1970. During a leap second the next one begins."""
+    epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
+    days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
+    begins = [day - epoch + ahead * SECOND for day, ahead in days]
+    return Leaps(tuple(begins), (epoch, *(epoch - ahead * SECOND for _, ahead in days)))
+
+
+def from_date(time: datetime) -> int:
+    """Nanoseconds since 1970 of a time in UTC."""
+    return (time - _UNIX) // timedelta(microseconds=1) * 1000
+
+
+class _Source(NamedTuple):
+    clock: str
+    kind: type[Field]
+    scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
+    flags: tuple[Flag, ...]
+    size: int  # bytes that its data have at least
+
+
+def headers(data: bytes) -> bytes:
+    """The lengths and descriptors of the fields of a packet, up to a malformed one."""
+    found = bytearray()
+    at, end = 4, len(data) - 2
+    while at < end:
+        length = data[at]
+        if length < 2 or length > end - at:
+            break
+        found += data[at : at + 2]
+        at += length
+    return bytes(found)
+
+
+def moments(packet: Packet) -> dict[str, int | None]:
+    """The times in a packet, in nanoseconds, by their clocks; None if they are not valid.
+
+    They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
+    one clock, that with the lowest descriptor counts.
+    """
+    data = bytes(packet)
+    return moments_of(data, headers(data)) if packet.set >= 0x80 else {}
+
+
+def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
+    """The same of the bytes of a packet of data, with the headers of its fields."""
+    places = _places(data[2], headers)
+    return {source.clock: _decoded(source, data[begin:end]) for source, begin, end in places}
+
+
+@lru_cache(maxsize=4096)
+def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
+    """Where packets with these fields have their times."""
+    found: dict[str, tuple[int, _Source, int, int]] = {}
+    at = 4
+    for length, descriptor in zip(headers[::2], headers[1::2]):
+        source = _source(number, descriptor)
+        if source is not None and found.get(source.clock, (0x100,))[0] > descriptor:
+            if length >= source.size + 2:
+                found[source.clock] = (descriptor, source, at + 2, at + length)
+        at += length
+    return tuple(place[1:] for place in found.values())
+
+
+@cache
+def _source(set: int, descriptor: int) -> _Source | None:
+    clock = clock_of(set, descriptor)
+    if clock is None:
+        return None
+    from .reflection import info
+
+    (kind,) = registry.types(set, descriptor)
+    parts = [(p, n) for p in info(kind).parameters if (n := scale(p)) is not None]
+    flags = dict.fromkeys(flag for p, _ in parts for flag in p.flags)
+    scales = tuple((p.attribute, n) for p, n in parts)
+    return _Source(clock, kind, scales, tuple(flags), _size(kind))
+
+
+def _size(kind: type[Field]) -> int:
+    """How many bytes of zeros are needed to decode one."""
+    for size in range(254):
+        try:
+            kind.decode(bytes(size))
+            return size
+        except DecodeError:
+            continue
+    return 254
+
+
+def time_of(field: Field) -> int | None:
+    """The time that a field such as `shared.GpsTimestamp` holds, as `moments` has it; None if it is not
+    valid. Raises ValueError if the field is not the timestamp of a packet."""
+    source = _source(field.packet_set or field.SETS[0], field.DESCRIPTOR)
+    if source is None:
+        raise ValueError(f"{field.NAME} does not hold the time of its packet")
+    return _time(source, field)
+
+
+def _decoded(source: _Source, data: bytes) -> int | None:
+    try:
+        return _time(source, source.kind.decode(data))
+    except DecodeError:
+        return None
+
+
+def _time(source: _Source, value: Field) -> int | None:
+    for flag in source.flags:
+        if not flag.holds(int(getattr(value, flag.attribute))):
+            return None
+    total = 0
+    for attribute, scale in source.scales:
+        number = getattr(value, attribute)
+        if not -MOST < number * scale < MOST:  # NaN is not, either
+            return None
+        total += round(number * scale)
+    return utc(source.clock, total) if CLOCKS[source.clock] else total
+
+
+def utc(clock: str, time: int) -> int:
+    """A time of a clock with a date as UTC; during a leap second the next one begins."""
+    begins, shifts = leaps(clock)
+    return time + shifts[bisect_right(begins, time)]

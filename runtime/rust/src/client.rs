@@ -1,0 +1,872 @@
+//! Sends commands and recognizes their replies, without input or output.
+
+use core::cell::Cell;
+use core::fmt;
+use core::marker::PhantomData;
+
+use crate::codec::Writer;
+use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
+use crate::field::{Command, RawField, Response, ResponseCheck};
+use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_PAYLOAD};
+use crate::parser::Parser;
+use crate::protocol::{AckCode, Acknowledge};
+use crate::registry::AnyField;
+
+/// Tracks at most `N` commands that a device has not answered yet.
+///
+/// The caller transfers the bytes and provides the time: a count of milliseconds that only goes
+/// forward, and may wrap around. A [`Device`](crate::device::Device) does both for a port.
+///
+/// 1. [`Client::send`] returns the bytes of one command to send; for several in one packet,
+///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
+///    returns its bytes.
+/// 2. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
+///    that it answers, and gives access to the other fields of the packet.
+/// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get
+///    their events.
+///
+/// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
+/// [`Client::take`] does. For this purpose, each of the `N` slots has room for the longest
+/// response. The packet to send is also in the client, so that it need not be moved.
+///
+/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only lent.
+/// Threads, tasks or interrupts that share a client need a mutex, as for everything that takes
+/// `&mut self`.
+#[derive(Clone, Debug)]
+pub struct Client<const N: usize = 8> {
+    table: Table<[Slot; N]>,
+}
+
+/// What a client has, whatever the number of its slots: the code is there once.
+///
+/// That of a new client is all zeros, so that it has no image in the memory of a program.
+#[derive(Clone, Debug)]
+struct Table<S: ?Sized> {
+    packet: PacketBuilder,
+    /// The number of the next command, and that of the next event.
+    next: u32,
+    happened: u32,
+    /// How much longer than usual a reply may take; it may wrap around.
+    patience: u32,
+    /// A bit for each field of the last packet that answers a command; a packet has at most 127.
+    taken: [u32; 4],
+    slots: S,
+}
+
+type Slots = Table<[Slot]>;
+
+/// A command, from the moment that it is added to a request until its event is taken.
+#[derive(Clone)]
+struct Slot {
+    /// Taking an event changes only this, so that the event can be lent.
+    state: Cell<State>,
+    /// The number of the event, of those that happened; the same if they happened at once.
+    order: u32,
+    /// When it times out; how long it may take, until it is sent.
+    deadline: u32,
+    kind: Option<&'static Kind>,
+    /// The check for the response that the command asks for.
+    wanted: Option<ResponseCheck>,
+    event: Event,
+}
+
+/// What all commands of a type have in common.
+struct Kind {
+    name: &'static str,
+    set: u8,
+    descriptor: u8,
+    timeout_ms: u32,
+    /// The descriptors of all responses.
+    responses: &'static [u8],
+}
+
+struct KindOf<C>(PhantomData<C>);
+
+impl<C: Command> KindOf<C> {
+    const KIND: &'static Kind = &Kind {
+        name: C::NAME,
+        set: C::SET,
+        descriptor: C::DESCRIPTOR,
+        timeout_ms: match C::TIMEOUT_MS {
+            Some(timeout_ms) => timeout_ms,
+            None => 0,
+        },
+        responses: C::Response::DESCRIPTORS,
+    };
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Free,
+    /// In a request that is not sent yet.
+    Added,
+    Waiting,
+    /// The event has happened.
+    Done,
+}
+
+impl Slot {
+    #[allow(clippy::declare_interior_mutable_const)] // it is only copied
+    const FREE: Self = Self {
+        state: Cell::new(State::Free),
+        order: 0,
+        deadline: 0,
+        kind: None,
+        wanted: None,
+        event: Event::NONE,
+    };
+
+    fn is(&self, state: State) -> bool {
+        self.state.get() == state
+    }
+}
+
+impl fmt::Debug for Slot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { state, deadline, event: Event { id, set, descriptor, .. }, .. } = self;
+        write!(f, "{id}: 0x{set:02X},0x{descriptor:02X} {:?} until {deadline}", state.get())
+    }
+}
+
+/// Identifies one command that was sent, and the type of its answer.
+pub struct Ticket<C> {
+    id: u32,
+    silent: bool,
+    command: PhantomData<fn() -> C>,
+}
+
+impl<C> Ticket<C> {
+    /// The number that events carry.
+    #[must_use]
+    pub const fn id(&self) -> u32 {
+        self.id
+    }
+
+    /// True if the device does not answer it; there is then no event.
+    #[must_use]
+    pub const fn is_silent(&self) -> bool {
+        self.silent
+    }
+
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) const fn untyped(self) -> Ticket<()> {
+        Ticket { id: self.id, silent: self.silent, command: PhantomData }
+    }
+}
+
+impl<C> Clone for Ticket<C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<C> Copy for Ticket<C> {}
+
+impl<C> fmt::Debug for Ticket<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Ticket({})", self.id)
+    }
+}
+
+/// Why a command could not be added to a request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum RequestError {
+    /// The command does not encode, or the packet is full.
+    Encode(EncodeError),
+    /// The client has no free slot: commands are pending or have events that were not taken.
+    Busy,
+    /// The field is not a command.
+    NoCommand,
+}
+
+impl From<EncodeError> for RequestError {
+    fn from(error: EncodeError) -> Self {
+        Self::Encode(error)
+    }
+}
+
+impl fmt::Display for RequestError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Encode(error) => error.fmt(f),
+            Self::Busy => f.write_str("too many commands are pending"),
+            Self::NoCommand => f.write_str("the field is no command"),
+        }
+    }
+}
+
+error!(RequestError);
+
+/// The result of a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Answer<R> {
+    /// The device carried it out; with the response, if the command requests one.
+    Acknowledged(Option<R>),
+    /// The device refused it.
+    Refused(AckCode),
+    /// No answer arrived in time.
+    TimedOut,
+    /// It was acknowledged, but the response that it requests did not arrive.
+    MissingResponse,
+    /// It was carried out, but the response could not be decoded.
+    Undecodable(DecodeError),
+    /// It was sent. The device does not answer it, so nothing more is known.
+    Silent,
+}
+
+impl<R> Answer<R> {
+    /// The response, if there is one; an error if the command is not known to be carried out.
+    ///
+    /// ```
+    /// use mip_protocol::client::{Answer, CommandError};
+    ///
+    /// let answer: Answer<u8> = Answer::TimedOut;
+    /// assert_eq!(answer.into_result(), Err(CommandError::TimedOut));
+    /// assert_eq!(Answer::Acknowledged(Some(7)).into_result(), Ok(Some(7)));
+    /// ```
+    pub fn into_result(self) -> Result<Option<R>, CommandError> {
+        match self {
+            Self::Acknowledged(response) => Ok(response),
+            Self::Silent => Ok(None),
+            Self::Refused(code) => Err(CommandError::Refused(code)),
+            Self::TimedOut => Err(CommandError::TimedOut),
+            Self::MissingResponse => Err(CommandError::MissingResponse),
+            Self::Undecodable(error) => Err(CommandError::Undecodable(error)),
+        }
+    }
+
+    /// The response; an error if there is none.
+    pub fn into_response(self) -> Result<R, CommandError> {
+        self.into_result()?.ok_or(CommandError::MissingResponse)
+    }
+}
+
+/// Why a command failed, or is not known to have been carried out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum CommandError {
+    /// The device refused it.
+    Refused(AckCode),
+    /// No answer arrived in time.
+    TimedOut,
+    /// It was acknowledged, but there is no response.
+    MissingResponse,
+    /// It was carried out, but the response could not be decoded.
+    Undecodable(DecodeError),
+}
+
+impl fmt::Display for CommandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(code) => {
+                f.write_str("the device refused the command: ")?;
+                let Some(name) = code.name() else { return write!(f, "code {}", code.0) };
+                name.split('_').try_for_each(|word| write!(f, "{word} "))?;
+                write!(f, "({})", code.0)
+            }
+            Self::TimedOut => f.write_str("no answer came in time"),
+            Self::MissingResponse => f.write_str("the answer has no response"),
+            Self::Undecodable(error) => error.fmt(f),
+        }
+    }
+}
+
+error!(CommandError);
+
+/// The result of a command of any type.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Outcome {
+    /// The device carried it out, and the response is present, if the command requests one.
+    Acknowledged,
+    /// The device refused it.
+    Refused(AckCode),
+    /// No answer arrived in time.
+    #[default]
+    TimedOut,
+    /// It was acknowledged, but the response that it requests did not arrive.
+    MissingResponse,
+    /// It was carried out, but the response cannot be decoded. The answer of the event, or decoding
+    /// the response, gives the reason.
+    Undecodable,
+}
+
+/// The result of a command, with its response not yet decoded.
+#[derive(Clone)]
+pub struct Event {
+    /// The number of the ticket.
+    pub id: u32,
+    /// The descriptor set of the command.
+    pub set: u8,
+    /// The descriptor of the command.
+    pub descriptor: u8,
+    /// The result.
+    pub outcome: Outcome,
+    /// A payload that begins with it; without one, zeros.
+    response: [u8; MAX_PAYLOAD],
+}
+
+impl Event {
+    const NONE: Self = Self {
+        id: 0,
+        set: 0,
+        descriptor: 0,
+        outcome: Outcome::Acknowledged,
+        response: [0; MAX_PAYLOAD],
+    };
+
+    /// The undecoded response.
+    #[must_use]
+    pub fn response(&self) -> Option<RawField<'_>> {
+        Fields::new(self.set, &self.response).sound()
+    }
+
+    /// Keeps a response: the first of these fields.
+    fn keep(&mut self, fields: &Fields<'_>) {
+        self.response.iter_mut().zip(fields.payload()).for_each(|(place, byte)| *place = *byte);
+    }
+
+    /// The answer, if the event belongs to this ticket.
+    #[must_use]
+    pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+        (self.id == ticket.id).then(|| self.decoded())
+    }
+
+    fn decoded<R: Response>(&self) -> Answer<R> {
+        match self.outcome {
+            Outcome::Acknowledged | Outcome::Undecodable => {
+                match self.response().and_then(|field| R::from_field(&field)) {
+                    None => Answer::Acknowledged(None),
+                    Some(Ok(response)) => Answer::Acknowledged(Some(response)),
+                    Some(Err(error)) => Answer::Undecodable(error),
+                }
+            }
+            Outcome::Refused(code) => Answer::Refused(code),
+            Outcome::TimedOut => Answer::TimedOut,
+            Outcome::MissingResponse => Answer::MissingResponse,
+        }
+    }
+}
+
+impl PartialEq for Event {
+    fn eq(&self, other: &Self) -> bool {
+        (self.id, self.set, self.descriptor, self.outcome, self.response())
+            == (other.id, other.set, other.descriptor, other.outcome, other.response())
+    }
+}
+
+impl fmt::Debug for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { id, set, descriptor, outcome, .. } = self;
+        write!(f, "Event({id}: 0x{set:02X},0x{descriptor:02X} {outcome:?}, {:?})", self.response())
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Event {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Self { id, set, descriptor, outcome, .. } = self;
+        defmt::write!(f, "Event({}: {},{} {}, {})", id, set, descriptor, outcome, self.response());
+    }
+}
+
+/// How long a reply may take, unless the command or the caller says otherwise.
+pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
+
+/// No deadline is further away, so that the time can wrap around.
+const FUTURE: u32 = u32::MAX >> 1;
+
+/// The time after this number of milliseconds.
+pub(crate) fn after(now_ms: u32, wait_ms: u32) -> u32 {
+    now_ms.wrapping_add(wait_ms.min(FUTURE))
+}
+
+/// Is this time over?
+pub(crate) const fn has_passed(deadline: u32, now_ms: u32) -> bool {
+    now_ms.wrapping_sub(deadline) <= FUTURE
+}
+
+impl<const N: usize> Default for Client<N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const N: usize> Client<N> {
+    /// A client that waits [`DEFAULT_TIMEOUT_MS`] for a reply.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self::with_timeout(DEFAULT_TIMEOUT_MS)
+    }
+
+    /// A client that waits this long for a reply; longer for commands that take longer. The longest
+    /// time is 2³¹ - 1 ms, 24.8 days.
+    #[must_use]
+    pub const fn with_timeout(timeout_ms: u32) -> Self {
+        let mut client = Self::NEW;
+        client.table.patience = timeout_ms.wrapping_sub(DEFAULT_TIMEOUT_MS);
+        client
+    }
+
+    /// As a constant, so that it is memory that is cleared, and not a copy.
+    #[allow(clippy::declare_interior_mutable_const)] // it is only copied
+    const NEW: Self = Self {
+        table: Table {
+            packet: PacketBuilder::BLANK,
+            next: 0,
+            happened: 0,
+            patience: 0,
+            taken: [0; 4],
+            slots: [Slot::FREE; N],
+        },
+    };
+
+    /// The number of commands that wait for a reply.
+    #[must_use]
+    pub fn pending(&self) -> usize {
+        self.table().waiting().count()
+    }
+
+    /// Does this command wait for a reply?
+    #[must_use]
+    pub fn is_pending<C>(&self, ticket: &Ticket<C>) -> bool {
+        self.table().waiting().any(|slot| slot.event.id == ticket.id)
+    }
+
+    /// When the next command times out.
+    ///
+    /// Time wraps around: it is over when `now_ms.wrapping_sub(deadline) <= u32::MAX / 2`.
+    #[must_use]
+    pub fn deadline(&self) -> Option<u32> {
+        let deadlines = self.table().waiting().map(|slot| slot.deadline);
+        deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
+    }
+
+    /// Begins a packet with commands of one descriptor set.
+    pub fn request(&mut self, set: u8) -> Request<'_> {
+        let table = self.table_mut();
+        for slot in &table.slots {
+            if slot.is(State::Added) {
+                slot.state.set(State::Free); // of a request that was not sent
+            }
+        }
+        table.packet.start(set);
+        Request { table }
+    }
+
+    /// A packet with one command, ready to be sent.
+    pub fn send<C: Command>(
+        &mut self,
+        command: &C,
+        now_ms: u32,
+    ) -> Result<(Ticket<C>, Packet<'_>), RequestError> {
+        let table = self.table_mut();
+        let ticket = table.add(command, Some(now_ms))?;
+        Ok((ticket, table.packet.packet()))
+    }
+
+    /// Processes a received packet, and returns the events that have not been taken.
+    ///
+    /// Data, late replies and replies to other hosts cause no events; [`Events::others`] returns
+    /// them.
+    pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
+        let (table, fields) = (self.table_mut(), packet.fields());
+        table.receive(fields.clone());
+        Events { table, fields }
+    }
+
+    /// The events that have not been taken: of earlier packets, and of commands that timed out.
+    pub fn events(&mut self) -> Events<'_, 'static> {
+        Events { table: self.table_mut(), fields: Fields::NONE }
+    }
+
+    /// The result of this command, if it is known. Events of other commands are kept.
+    ///
+    /// The result of a silent command is known as soon as it is sent.
+    pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+        if ticket.silent {
+            return Some(Answer::Silent);
+        }
+        self.table().take(ticket.id).map(Event::decoded)
+    }
+
+    /// The event of this command, if it has happened. Events of other commands are kept.
+    ///
+    /// It takes tickets of any type, also those of [`Request::add_any`]. A silent command has no
+    /// event.
+    pub fn take_event<C>(&mut self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.table().take(ticket.id)
+    }
+
+    /// Updates the time. Call it until it returns `None`; the overdue commands then have their
+    /// events.
+    ///
+    /// Noise that looks like the start of a packet holds back what follows. Before a command times
+    /// out, this returns the packets after such noise; handle them like any other. An incomplete
+    /// packet is kept.
+    pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
+        self.table_mut().poll(parser, now_ms)
+    }
+
+    /// Stops waiting for a command; it gets no event.
+    pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
+        for slot in &self.table().slots {
+            if slot.event.id == ticket.id {
+                slot.state.set(State::Free);
+            }
+        }
+    }
+
+    /// Stops waiting for all commands; the events that happened are kept.
+    pub(crate) fn give_up(&mut self) {
+        for slot in &self.table().slots {
+            if slot.is(State::Waiting) {
+                slot.state.set(State::Free);
+            }
+        }
+    }
+
+    /// Like [`Client::take`], but the result is kept and can be read again.
+    pub(crate) fn known<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+        if ticket.silent {
+            return Some(Answer::Silent);
+        }
+        self.known_event(ticket).map(Event::decoded)
+    }
+
+    /// Like [`Client::take_event`], but the event is kept.
+    pub(crate) fn known_event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
+        self.table().find(ticket.id).map(|slot| &slot.event)
+    }
+
+    /// Discards all commands and events. Answers that still arrive for them are treated as data.
+    pub fn clear(&mut self) {
+        for slot in &self.table().slots {
+            slot.state.set(State::Free);
+        }
+    }
+
+    fn table(&self) -> &Slots {
+        &self.table
+    }
+
+    fn table_mut(&mut self) -> &mut Slots {
+        &mut self.table
+    }
+}
+
+impl Slots {
+    fn waiting(&self) -> impl Iterator<Item = &Slot> {
+        self.slots.iter().filter(|slot| slot.is(State::Waiting))
+    }
+
+    /// Adds a command to the packet, to be sent later or now.
+    fn add<C: Command>(
+        &mut self,
+        command: &C,
+        sent_ms: Option<u32>,
+    ) -> Result<Ticket<C>, RequestError> {
+        let (silent, wanted) = (!command.expects_reply(), command.response_check());
+        let encode = |writer: &mut Writer<'_>| command.encode_to(writer);
+        let id = self.enter(KindOf::<C>::KIND, silent, wanted, &encode, sent_ms)?;
+        Ok(Ticket { id, silent, command: PhantomData })
+    }
+
+    /// What does not depend on the type of the command, so that it is there once.
+    fn enter(
+        &mut self,
+        kind: &'static Kind,
+        silent: bool,
+        wanted: Option<ResponseCheck>,
+        encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
+        sent_ms: Option<u32>,
+    ) -> Result<u32, RequestError> {
+        // What is added while one is sent now is of a request that was dropped.
+        let free = self
+            .slots
+            .iter_mut()
+            .find(|slot| slot.is(State::Free) || sent_ms.is_some() && slot.is(State::Added));
+        if free.is_none() && !silent {
+            return Err(RequestError::Busy);
+        }
+        if sent_ms.is_some() {
+            self.packet.start(kind.set);
+        }
+        self.packet.push_by(kind.name, kind.set, kind.descriptor, encode)?;
+        let id = self.next;
+        self.next = id.wrapping_add(1);
+        if let (Some(slot), false) = (free, silent) {
+            (slot.kind, slot.wanted) = (Some(kind), wanted);
+            let timeout_ms = self.patience.wrapping_add(DEFAULT_TIMEOUT_MS);
+            slot.deadline = timeout_ms.max(kind.timeout_ms);
+            let event = &mut slot.event;
+            (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
+            event.response[0] = 0;
+            slot.state.set(State::Added);
+            if let Some(now_ms) = sent_ms {
+                slot.sent(now_ms);
+            }
+        }
+        Ok(id)
+    }
+
+    /// Looks for answers, and keeps which fields are part of one.
+    fn receive(&mut self, mut fields: Fields<'_>) {
+        self.taken = [0; 4];
+        let (mut at, mut left) = (0, 0);
+        while let Some(field) = fields.sound() {
+            if left == 0 {
+                left = self.answers(&field, &fields);
+            }
+            if left > 0 {
+                self.take_field(at);
+                left = left.wrapping_sub(1);
+            }
+            at = at.wrapping_add(1);
+        }
+    }
+
+    fn take_field(&mut self, at: u8) {
+        if let Some(bits) = self.taken.get_mut(usize::from(at >> 5)) {
+            *bits |= 1 << (at & 31);
+        }
+    }
+
+    /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
+    /// kind. If there is one, its event happens; returns whether the field behind is its response.
+    ///
+    /// A response never answers a command that does not ask for it, because it may be the late
+    /// answer to another one; an acknowledge without a response first answers commands that ask for none.
+    fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
+        // Not decoded as a whole, which is 100 bytes of code.
+        let (command, code) = match *field.data {
+            [command, code, ..] if field.is::<Acknowledge>() => (command, AckCode(code)),
+            _ => return 0,
+        };
+        let behind = rest.clone().sound();
+        let (mut best, mut found) = ((false, 0), None);
+        for slot in &mut self.slots {
+            let Some(outcome) = slot.outcome(field.set, command, code, behind.as_ref()) else {
+                continue;
+            };
+            let rank = (outcome != Outcome::MissingResponse, self.next.wrapping_sub(slot.event.id));
+            if rank > best {
+                (best, found) = (rank, Some((slot, outcome)));
+            }
+        }
+        let Some((slot, outcome)) = found else { return 0 };
+        slot.event.outcome = outcome;
+        let checked = matches!(outcome, Outcome::Acknowledged | Outcome::Undecodable);
+        let has_response = checked && slot.wanted.is_some();
+        if has_response {
+            slot.event.keep(rest);
+        }
+        let order = self.happened;
+        self.happened = order.wrapping_add(1);
+        slot.happens(order);
+        1_u8.wrapping_add(has_response.into())
+    }
+
+    /// The command with this number, if its event has happened.
+    fn find(&self, id: u32) -> Option<&Slot> {
+        self.slots.iter().find(|slot| slot.is(State::Done) && slot.event.id == id)
+    }
+
+    /// The event of this command, if it has happened; it is taken.
+    fn take(&self, id: u32) -> Option<&Event> {
+        let slot = self.find(id)?;
+        slot.state.set(State::Free);
+        Some(&slot.event)
+    }
+
+    fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
+        if parser.holds() {
+            return Some(parser.packet());
+        }
+        let order = self.happened; // all at once: in the order of the commands
+        for slot in &mut self.slots {
+            if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
+                if parser.holds_behind() {
+                    return Some(parser.packet());
+                }
+                self.happened = order.wrapping_add(1);
+                slot.event.outcome = Outcome::TimedOut;
+                slot.happens(order);
+            }
+        }
+        None
+    }
+
+    /// The event that happened first, of those that have not been taken; it is taken.
+    fn first(&self) -> Option<&Event> {
+        let (mut oldest, mut found) = ((0, 0), None);
+        for slot in &self.slots {
+            let since = self.happened.wrapping_sub(slot.order);
+            let age = (since, self.next.wrapping_sub(slot.event.id));
+            if slot.is(State::Done) && age > oldest {
+                (oldest, found) = (age, Some(slot));
+            }
+        }
+        let slot = found?;
+        slot.state.set(State::Free);
+        Some(&slot.event)
+    }
+}
+
+impl Slot {
+    /// The result of the command if this acknowledge and the field behind it answer it.
+    fn outcome(
+        &self,
+        set: u8,
+        command: u8,
+        code: AckCode,
+        behind: Option<&RawField<'_>>,
+    ) -> Option<Outcome> {
+        let kind = self.kind.filter(|kind| (kind.set, kind.descriptor) == (set, command))?;
+        if !self.is(State::Waiting) {
+            return None;
+        }
+        if code.0 != 0 {
+            return Some(Outcome::Refused(code));
+        }
+        // `contains` is 180 bytes of code on a microcontroller.
+        #[allow(clippy::manual_contains)]
+        let responds = behind
+            .map_or(false, |field| kind.responses.iter().any(|known| *known == field.descriptor));
+        match self.wanted {
+            Some(check) if responds => {
+                check(behind?)
+                    .map(|ok| if ok { Outcome::Acknowledged } else { Outcome::Undecodable })
+            }
+            None if responds => None,
+            Some(_) => Some(Outcome::MissingResponse),
+            None => Some(Outcome::Acknowledged),
+        }
+    }
+
+    /// The command waits for its answer from now on.
+    fn sent(&mut self, now_ms: u32) {
+        self.state.set(State::Waiting);
+        self.deadline = after(now_ms, self.deadline);
+    }
+
+    /// The command is answered, or given up.
+    fn happens(&mut self, order: u32) {
+        self.state.set(State::Done);
+        self.order = order;
+    }
+}
+
+/// A packet of commands that is not sent yet. Dropping it discards them.
+#[derive(Debug)]
+pub struct Request<'c> {
+    table: &'c mut Slots,
+}
+
+impl<'c> Request<'c> {
+    /// Appends a command. On an error the request is unchanged.
+    pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
+        let set = self.table.packet.set();
+        if set != C::SET {
+            return Err(EncodeError::set(C::NAME, C::SET, set).into());
+        }
+        self.table.add(command, None)
+    }
+
+    /// Appends a command whose type is known only at run time.
+    ///
+    /// Its ticket has no type that could decode an answer; [`Client::take_event`], or
+    /// [`Device::event`](crate::device::Device::event), returns the event for it:
+    ///
+    /// ```
+    /// use mip_protocol::device::{Device, DeviceError, Port};
+    /// use mip_protocol::{AnyField, RequestError};
+    ///
+    /// fn show<P: Port>(
+    ///     device: &mut Device<P>,
+    ///     command: &AnyField,
+    /// ) -> Result<(), DeviceError<P::Error>> {
+    ///     let Some(set) = command.info().set() else { return Err(RequestError::NoCommand.into()) };
+    ///     let ticket = device.send_all(set, |request| request.add_any(command))?;
+    ///     let Some(event) = device.event(&ticket) else {
+    ///         println!("sent; the device does not answer it");
+    ///         return Ok(());
+    ///     };
+    ///     println!("{:?}", event.outcome);
+    ///     if let Some(Ok(response)) = event.response().and_then(|f| AnyField::decode(&f)) {
+    ///         println!("{}: {:?}", response.name(), response.field);
+    ///     }
+    ///     Ok(())
+    /// }
+    /// ```
+    #[inline]
+    pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
+        field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
+    }
+
+    /// The packet to send. From now on its commands are pending. Without commands, it is a packet
+    /// without fields, which need not be sent.
+    #[must_use = "the packet is to be sent"]
+    pub fn send(self, now_ms: u32) -> Packet<'c> {
+        for slot in &mut self.table.slots {
+            if slot.is(State::Added) {
+                slot.sent(now_ms);
+            }
+        }
+        self.table.packet.packet()
+    }
+}
+
+/// The events that have not been taken, oldest first. Untaken events remain in the client.
+#[derive(Debug)]
+pub struct Events<'c, 'p> {
+    table: &'c Slots,
+    fields: Fields<'p>,
+}
+
+impl<'c, 'p> Events<'c, 'p> {
+    /// The fields of the packet that do not answer a command: data, and unexpected replies.
+    #[must_use]
+    pub fn others(&self) -> Others<'c, 'p> {
+        Others { fields: self.fields.clone(), taken: &self.table.taken, at: 0 }
+    }
+}
+
+/// The event borrows the client; to keep it longer, clone it.
+impl<'c> Iterator for Events<'c, '_> {
+    type Item = &'c Event;
+
+    fn next(&mut self) -> Option<&'c Event> {
+        self.table.first()
+    }
+}
+
+/// The fields of a packet that do not answer a command; from [`Events::others`].
+#[derive(Clone, Debug)]
+pub struct Others<'c, 'p> {
+    fields: Fields<'p>,
+    taken: &'c [u32; 4],
+    at: u8,
+}
+
+impl<'p> Iterator for Others<'_, 'p> {
+    type Item = Result<RawField<'p>, FieldLengthError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let field = self.fields.next()?;
+            let bits = self.taken.get(usize::from(self.at >> 5))?;
+            let taken = bits & (1 << (self.at & 31)) != 0;
+            self.at = self.at.wrapping_add(1);
+            if !taken {
+                return Some(field);
+            }
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! What each device supports.
+
+use crate::protocol::{AckCode, FunctionSelector};
+
+mod known;
+
+pub use known::*;
+
+/// A device profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Profile {
+    /// The name in the specification.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// A description.
+    pub description: &'static str,
+    /// Other names.
+    pub also: &'static [&'static str],
+    /// The number of the model, if it is known.
+    pub model_number: Option<u16>,
+    /// The generation of devices that it belongs to, if that is known.
+    pub generation: Option<u8>,
+    /// The manual that describes it, if one is known.
+    pub manual: Option<&'static str>,
+    /// Sentences on what is not known of it. If there are any, it may have more than is listed.
+    pub incomplete: &'static [&'static str],
+    /// Its commands and data fields, including those that are not certain.
+    pub fields: &'static [Supported],
+    /// Base rates of data sets.
+    pub base_rates: &'static [BaseRate],
+    /// Its ports.
+    pub ports: &'static [ProfilePort],
+    /// Its limits.
+    pub limits: &'static [Limit],
+    /// Parameters with another meaning than on other devices.
+    pub variants: &'static [Variant],
+    /// The acknowledge codes that it sends.
+    pub ack_codes: &'static [AckCode],
+}
+
+/// A field that a device supports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Supported {
+    /// The descriptor set; 0xFF if it may be any data set.
+    pub set: u8,
+    /// The field descriptor.
+    pub descriptor: u8,
+    /// The name in that set, `set.field`.
+    pub name: &'static str,
+    /// The function selectors that the device accepts; empty if the field has none.
+    pub functions: &'static [FunctionSelector],
+    /// Why the device is believed to support it; `None` if that is certain.
+    pub evidence: Option<&'static str>,
+}
+
+/// The base rate of a data set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BaseRate {
+    /// The descriptor set.
+    pub set: u8,
+    /// Rate in Hz, divided by a decimation; 0 if data is sent as it arrives.
+    pub hertz: f64,
+}
+
+/// A port of a device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ProfilePort {
+    /// Its title.
+    pub name: &'static str,
+    /// The number that commands use, if there is one.
+    pub id: Option<u8>,
+    /// The baud rates that it supports.
+    pub baud_rates: &'static [u32],
+    /// The protocols that it supports.
+    pub protocols: &'static [&'static str],
+}
+
+/// A limit of a device.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Limit {
+    /// The name in the specification.
+    pub name: &'static str,
+    /// The number.
+    pub value: f64,
+    /// Its unit, if it has one.
+    pub unit: Option<&'static str>,
+    /// What it limits.
+    pub description: &'static str,
+}
+
+/// A parameter with another meaning on a device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Variant {
+    /// The parameter by its name in the specification, `set.field.parameter`.
+    pub parameter: &'static str,
+    /// The type that names its values or bits, if that differs.
+    pub read_as: Option<&'static str>,
+    /// What is different.
+    pub difference: &'static str,
+}
+
+impl Profile {
+    /// The device with this id.
+    #[must_use]
+    pub fn by_id(id: &str) -> Option<&'static Self> {
+        ALL.iter().copied().find(|device| device.id == id)
+    }
+
+    /// The device with this id, title or other name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<&'static Self> {
+        let called = |d: &&Self| d.id == name || d.title == name || d.also.contains(&name);
+        ALL.iter().copied().find(called)
+    }
+
+    /// The device of this model number; `None` if it is unknown, for example of a newer device.
+    #[must_use]
+    pub fn by_model(number: u16) -> Option<&'static Self> {
+        ALL.iter().copied().find(|device| device.model_number == Some(number))
+    }
+
+    /// The entry of a field, if the device supports it in packets of this set.
+    ///
+    /// Shared fields occur in every data set.
+    #[must_use]
+    pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+        self.may_support(set, descriptor).filter(|field| field.evidence.is_none())
+    }
+
+    /// The same, even if it is not certain: the evidence says why it is believed.
+    #[must_use]
+    pub fn may_support(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+        let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
+        self.fields.iter().find(|f| f.descriptor == descriptor && matches(f))
+    }
+
+    /// Does it support this field, in one of the sets in which it occurs? [`Profile::supports`] asks
+    /// for one set.
+    #[must_use]
+    pub fn has<T: crate::Field>(&self) -> bool {
+        T::SETS.iter().any(|set| self.supports(*set, T::DESCRIPTOR).is_some())
+    }
+
+    /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
+    #[must_use]
+    pub fn base_rate(&self, set: u8) -> Option<f64> {
+        self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)
+    }
+
+    /// A limit by its name.
+    #[must_use]
+    pub fn limit(&self, name: &str) -> Option<f64> {
+        self.limits.iter().find(|limit| limit.name == name).map(|limit| limit.value)
+    }
+}
+
+/// The model number that the device information gives: its model and serial numbers begin with it.
+///
+/// It has at least four digits. Spaces may precede it, and a dot, a dash, a space, a NUL or the end
+/// of the text follows it.
+///
+/// ```
+/// use mip_protocol::devices::model_number;
+///
+/// assert_eq!(model_number("  6254-4220      "), Some(6254));
+/// assert_eq!(model_number("GX5-15"), None);
+/// ```
+#[must_use]
+pub fn model_number(text: &str) -> Option<u16> {
+    let text = text.trim_start_matches(' ');
+    let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let (digits, rest) = (text.get(..end)?, text.get(end..)?);
+    let ends = rest.is_empty() || rest.starts_with(['.', '-', ' ', '\0']);
+    digits.parse().ok().filter(|number| ends && digits.len() >= 4 && *number > 0)
+}

@@ -1,0 +1,178 @@
+//! Errors of the codec: the kind of error, the field, and what was needed.
+
+use core::fmt;
+
+#[cfg(feature = "core-error")]
+pub(crate) use core::error::Error;
+#[cfg(all(feature = "std", not(feature = "core-error")))]
+pub(crate) use std::error::Error;
+
+/// Why the data of a field could not be decoded.
+///
+/// ```
+/// use mip_protocol::{error::DecodeErrorKind, protocol::Acknowledge, Field};
+///
+/// let error = Acknowledge::decode(&[1]).unwrap_err();
+/// assert_eq!((error.kind, error.need, error.got), (DecodeErrorKind::Truncated, 2, 1));
+/// assert_eq!(error.to_string(), "protocol.acknowledge: it needs 2 bytes and has 1");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct DecodeError {
+    /// What is wrong.
+    pub kind: DecodeErrorKind,
+    /// The name of the field in the specification, `family.field`.
+    pub field: &'static str,
+    /// What is needed; see the kind.
+    pub need: usize,
+    /// What is present instead.
+    pub got: usize,
+}
+
+/// What is wrong with the data of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum DecodeErrorKind {
+    /// The data ends before the last required value: the numbers of bytes needed and present.
+    Truncated,
+    /// A count exceeds the number of elements that follow, or that a field can hold: the count, and
+    /// the maximum.
+    Count,
+    /// A constant has another value: the required value, and the actual one.
+    Constant,
+}
+
+/// Why a field could not be encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct EncodeError {
+    /// What is wrong.
+    pub kind: EncodeErrorKind,
+    /// The name of the field in the specification, `family.field`; empty if only its bytes are known.
+    pub field: &'static str,
+    /// What is needed; see the kind.
+    pub need: usize,
+    /// What is present instead.
+    pub got: usize,
+}
+
+/// What is wrong with the values of a field, or with the place that they should be written to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum EncodeErrorKind {
+    /// A value is `None` although the function requires it or a later value is present: the number
+    /// of values that belong together, and of those that are present.
+    Missing,
+    /// There are more elements than a list or their counter can hold: the number of those given, and
+    /// the maximum.
+    Count,
+    /// A union does not contain the member that its tag selects.
+    Tag,
+    /// It does not fit into a field, a packet or the caller's buffer: the number of bytes needed,
+    /// at least, and of those free.
+    Length,
+    /// The field does not occur in the descriptor set of the packet: a set in which it does, and that
+    /// of the packet.
+    Set,
+}
+
+/// The data of a field are invalid: the [`Reader`](crate::Reader) that was reading them knows why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Invalid;
+
+impl DecodeError {
+    /// The same error in a field.
+    #[must_use]
+    pub(crate) const fn new(
+        kind: DecodeErrorKind,
+        field: &'static str,
+        need: usize,
+        got: usize,
+    ) -> Self {
+        Self { kind, field, need, got }
+    }
+}
+
+impl EncodeError {
+    #[must_use]
+    pub(crate) const fn new(
+        kind: EncodeErrorKind,
+        field: &'static str,
+        need: usize,
+        got: usize,
+    ) -> Self {
+        Self { kind, field, need, got }
+    }
+
+    /// Bytes that do not fit.
+    #[must_use]
+    pub(crate) const fn length(field: &'static str, need: usize, got: usize) -> Self {
+        Self::new(EncodeErrorKind::Length, field, need, got)
+    }
+
+    /// A field that occurs in one set, and a packet of another.
+    #[must_use]
+    pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
+        Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)
+    }
+}
+
+impl fmt::Display for DecodeErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Truncated => "the data ends too early",
+            Self::Count => "a count does not match the data that follows",
+            Self::Constant => "a constant has another value",
+        })
+    }
+}
+
+impl fmt::Display for EncodeErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Missing => "a value is missing",
+            Self::Count => "there are more elements than can be counted",
+            Self::Tag => "a union does not contain the member that its tag names",
+            Self::Length => "the bytes do not fit",
+            Self::Set => "the field does not occur in the descriptor set of the packet",
+        })
+    }
+}
+
+impl fmt::Display for DecodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { kind, field, need, got } = self;
+        write!(f, "{field}: ")?;
+        match kind {
+            DecodeErrorKind::Truncated => write!(f, "it needs {need} bytes and has {got}"),
+            DecodeErrorKind::Count => write!(f, "{need} elements are counted, {got} can follow"),
+            DecodeErrorKind::Constant => write!(f, "a constant is {got:#x} and not {need:#x}"),
+        }
+    }
+}
+
+impl fmt::Display for EncodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { kind, field, need, got } = self;
+        if !field.is_empty() {
+            write!(f, "{field}: ")?;
+        }
+        match kind {
+            EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are present"),
+            EncodeErrorKind::Count => write!(f, "{need} elements were given, {got} fit"),
+            EncodeErrorKind::Tag => write!(f, "{kind}"),
+            EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),
+            EncodeErrorKind::Set => match (need, got) {
+                (_, 0 | 0xFF) => write!(f, "no packet has set {got:#04x}"),
+                _ => write!(f, "it occurs in set {need:#04x}, and not in set {got:#04x}"),
+            },
+        }
+    }
+}
+
+error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind);

@@ -1,0 +1,230 @@
+//! The traits of fields, commands and responses.
+
+use crate::codec::{Reader, Wire, Writer};
+use crate::error::{DecodeError, EncodeError};
+use core::fmt;
+use core::ops::RangeInclusive;
+
+/// The type of one layout of one field descriptor, in whichever descriptor sets it occurs.
+///
+/// The set of a received field is that of its packet: [`Packet::set`](crate::Packet::set),
+/// [`RawField::set`].
+pub trait Field: Wire {
+    /// The descriptor sets in which it occurs, in ascending order.
+    const SETS: &'static [u8];
+    /// The field descriptor.
+    const DESCRIPTOR: u8;
+    /// The name in the specification, `family.field`. A family with one set has its name.
+    const NAME: &'static str;
+    /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
+    const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
+    /// The possible numbers of bytes of its data; they distinguish layouts with the same constants.
+    const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
+
+    /// Does it occur in this descriptor set?
+    #[must_use]
+    fn occurs_in(set: u8) -> bool;
+
+    /// Decodes the data of a field, the bytes after its descriptor.
+    #[inline]
+    fn decode(data: &[u8]) -> Result<Self, DecodeError> {
+        let mut reader = Reader::new(data);
+        Self::decode_from(&mut reader).map_err(|_| reader.error(Self::NAME))
+    }
+
+    /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
+    #[inline]
+    fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
+        let mut reader = Reader::new(data);
+        match Self::decode_from(&mut reader) {
+            Ok(value) => Ok((value, reader.remaining())),
+            Err(_) => Err(reader.error(Self::NAME)),
+        }
+    }
+
+    /// Encodes the data of the field to the front of the buffer and returns its length.
+    fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
+        let mut writer = Writer::of_field(buffer);
+        let done = self.encode_to(&mut writer);
+        writer.finish(done, Self::NAME)
+    }
+
+    /// The data of the field in a `Vec`.
+    #[cfg(feature = "alloc")]
+    fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
+        let mut buffer = [0; crate::packet::MAX_FIELD_DATA];
+        let length = self.encode(&mut buffer)?;
+        Ok(buffer.iter().copied().take(length).collect())
+    }
+}
+
+/// A field that occurs in one descriptor set only: its type says which packet it needs.
+pub trait OneSet: Field {
+    /// The descriptor set.
+    const SET: u8;
+}
+
+/// A field that a device acknowledges, perhaps with a response after the acknowledge.
+pub trait Command: OneSet {
+    /// Its response: `()`, a field type, or an enumeration of several.
+    type Response: Response;
+    /// How long a device may take to answer, if longer than usual.
+    const TIMEOUT_MS: Option<u32> = None;
+
+    /// Will the device acknowledge it?
+    #[must_use]
+    fn expects_reply(&self) -> bool {
+        true
+    }
+
+    /// Will a response follow the acknowledge?
+    #[must_use]
+    fn expects_response(&self) -> bool {
+        self.response_check().is_some()
+    }
+
+    /// The check for the response that it requests with these values.
+    #[must_use]
+    fn response_check(&self) -> Option<ResponseCheck> {
+        None
+    }
+}
+
+/// Recognizes a response and says whether it can be decoded; `None` for other fields.
+pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
+
+/// The check for one type of response.
+#[must_use]
+pub fn check<R: Field>(field: &RawField<'_>) -> Option<bool> {
+    if R::FIXED && R::CONSTANTS.is_empty() {
+        return field.is::<R>().then_some(field.data.len() >= R::SIZE);
+    }
+    R::from_field(field).map(|found| found.is_ok())
+}
+
+/// A field that answers the command `C`.
+pub trait ResponseOf<C: Command>: Field {}
+
+/// The responses of a command.
+pub trait Response: Sized {
+    /// Their descriptors.
+    const DESCRIPTORS: &'static [u8];
+
+    /// Decodes a field if it is such a response.
+    fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
+}
+
+impl Response for () {
+    const DESCRIPTORS: &'static [u8] = &[];
+
+    fn from_field(_: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+        None
+    }
+}
+
+impl<T: Field> Response for T {
+    const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
+
+    #[inline]
+    fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+        if !field.is::<T>() {
+            return None;
+        }
+        let mut reader = Reader::new(field.data);
+        match T::decode_from(&mut reader) {
+            Ok(value) => Some(Ok(value)),
+            Err(_) if reader.is_other_layout() => None,
+            Err(_) => Some(Err(reader.error(T::NAME))),
+        }
+    }
+}
+
+/// The role of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Role {
+    /// Sent to the device.
+    Command,
+    /// Sent by the device to answer a command.
+    Response,
+    /// Sent by the device by itself.
+    Data,
+}
+
+impl Role {
+    /// The word that the specification uses.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Command => "command",
+            Self::Response => "response",
+            Self::Data => "data",
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// One field of a packet, not yet decoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawField<'a> {
+    /// The descriptor set of the packet.
+    pub set: u8,
+    /// The field descriptor.
+    pub descriptor: u8,
+    /// The bytes after the descriptor.
+    pub data: &'a [u8],
+}
+
+impl RawField<'_> {
+    /// Is it a field of this type?
+    #[inline]
+    #[must_use]
+    pub fn is<T: Field>(&self) -> bool {
+        T::occurs_in(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
+    }
+
+    /// Can the data have the layout of this type, as far as it reaches? The constants and the size
+    /// decide.
+    #[inline]
+    #[must_use]
+    pub fn has_layout_of<T: Field>(&self) -> bool {
+        T::SIZES.contains(&self.data.len())
+            && (T::CONSTANTS.is_empty() || self.has_constants(T::CONSTANTS))
+    }
+
+    pub(crate) fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
+        constants.iter().all(|(offset, bytes)| {
+            self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
+        })
+    }
+
+    /// Decodes it, if it is a field of this type.
+    #[inline]
+    #[must_use]
+    pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
+        self.is::<T>().then(|| T::decode(self.data))
+    }
+}
+
+/// The numbers from the first one on.
+#[allow(clippy::indexing_slicing)] // when the crate is compiled
+pub(crate) const fn run<const N: usize>(first: u8) -> [u8; N] {
+    let (mut numbers, mut at, mut number) = ([0; N], 0, first);
+    while at < N {
+        numbers[at] = number;
+        (at, number) = (at.wrapping_add(1), number.wrapping_add(1));
+    }
+    numbers
+}

@@ -1,0 +1,73 @@
+#![doc = include_str!("../README.md")]
+#![doc = include_str!("map.md")]
+#![cfg_attr(feature = "default", doc = include_str!("sets.md"))]
+// Texts name fields of other sets, which may be disabled.
+#![cfg_attr(not(feature = "default"), allow(rustdoc::broken_intra_doc_links))]
+#![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(
+    clippy::arithmetic_side_effects,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::todo,
+    clippy::unimplemented,
+    clippy::unreachable,
+    clippy::unwrap_used
+)]
+// Deprecated fields still have to be read, and there is no heap to put a large variant on.
+#![allow(deprecated, clippy::large_enum_variant)]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
+#[macro_use]
+mod macros;
+
+pub mod bits;
+pub mod client;
+pub mod codec;
+pub mod device;
+pub mod error;
+pub mod field;
+pub mod list;
+#[cfg(feature = "alloc")]
+mod owned;
+pub mod packet;
+mod parser;
+mod slice;
+#[cfg(feature = "std")]
+mod stream;
+mod text;
+
+pub mod devices;
+#[cfg(feature = "dynamic")]
+#[allow(dead_code, unused_imports)] // few sets use all of it
+pub mod dynamic;
+pub mod protocol;
+pub mod registry;
+mod sets;
+pub mod types;
+
+#[allow(unused_imports)] // without any set
+pub use sets::*;
+
+pub use bits::Bits;
+pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
+pub use codec::{Bool, Reader, Union, Wire, Writer};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
+pub use field::{Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role};
+pub use list::{CapacityError, List};
+#[cfg(feature = "alloc")]
+pub use owned::PacketBuf;
+pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
+pub use parser::{Feed, Parser};
+pub use registry::{AnyField, Decoded};
+pub use slice::{packets, Packets};
+#[cfg(feature = "std")]
+pub use stream::PacketReader;
+pub use text::{Text, VarText};

@@ -1,0 +1,244 @@
+//! The tables of all fields and devices.
+
+/// All fields, by the descriptor sets of their family: their descriptions, and one type that can hold
+/// any of them.
+macro_rules! registry {
+    ($(
+        #[cfg($when:meta)]
+        $family:pat => {
+            $(
+                $(#[$meta:meta])*
+                $variant:ident($type:ty):
+                $role:ident $descriptor:literal $(in $sets:pat)?, of $layouts:literal,
+                $name:literal, $title:literal,
+                $({ $($set:literal $its_name:literal $($its_title:literal)?,)+ })?
+                [$($linked:literal),*], { $($parameters:tt)* };
+            )*
+        }
+    )*) => {
+        /// The descriptions of all fields.
+        pub static FIELDS: &[FieldInfo] = &[$($(
+            #[cfg($when)]
+            <$type as Listed>::INFO,
+        )*)*];
+
+        /// Those of their values, in the same order: apart, so that only a program that asks for
+        /// them contains them.
+        pub(super) static PARAMETERS: &[&[ParameterInfo]] = &[$($(
+            #[cfg($when)]
+            <$type as Listed>::PARAMETERS,
+        )*)*];
+
+        /// A field of any type.
+        ///
+        /// It is as large as the largest field, several hundred bytes, so borrow it rather than
+        /// move it. A [`Visitor`] gets each field as its own type.
+        #[derive(Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum AnyField {
+            $($(
+                #[cfg($when)]
+                $(#[$meta])*
+                #[cfg_attr(feature = "serde", serde(rename = $name))]
+                $variant($type),
+            )*)*
+        }
+
+        $($(
+            #[cfg($when)]
+            impl bounds::Sealed for $type {}
+
+            #[cfg($when)]
+            impl Listed for $type {
+                #[inline]
+                fn into_any(self) -> AnyField {
+                    AnyField::$variant(self)
+                }
+
+                const INFO: FieldInfo = FieldInfo {
+                    sets: <$type as Field>::SETS,
+                    descriptor: $descriptor,
+                    role: Role::$role,
+                    name: $name,
+                    title: $title,
+                    linked: &[$($linked),*],
+                    occurrences: &[$($(Occurrence {
+                        set: $set,
+                        name: $its_name,
+                        title: own!($title $(, $its_title)?),
+                    }),+)?],
+                };
+
+                const PARAMETERS: &'static [ParameterInfo] = parameters! { $($parameters)* };
+            }
+
+            #[cfg($when)]
+            impl From<$type> for AnyField {
+                #[inline]
+                fn from(field: $type) -> Self {
+                    Self::$variant(field)
+                }
+            }
+        )*)*
+
+        /// Calls the visitor with the type of a field; if there are several layouts, with that of
+        /// the data.
+        #[inline]
+        pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
+            $(
+                #[cfg($when)]
+                {
+                    if matches!(field.set, $family) {
+                        match field.descriptor {
+                            $($descriptor
+                                if true $(&& matches!(field.set, $sets))?
+                                    && ($layouts == 1 || field.has_layout_of::<$type>()) =>
+                            {
+                                return visitor.visit::<$type>(field);
+                            })*
+                            _ => {}
+                        }
+                    }
+                }
+            )*
+            visitor.unknown(field)
+        }
+
+        // Inline, so that only a program that uses them compiles them: they contain the codecs of all
+        // fields, and take longer than the rest of the crate.
+        impl AnyField {
+            /// Encodes the data of the field to the front of the buffer and returns its length.
+            #[inline]
+            pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
+                let mut writer = Writer::of_field(buffer);
+                let done = match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => field.encode_to(&mut writer),
+                    )*)*
+                };
+                writer.finish(done, self.info().name)
+            }
+
+            /// Adds it to a request, if it is a command.
+            #[inline]
+            #[allow(unused_variables)] // few sets are without commands
+            pub(crate) fn add_to(
+                &self,
+                request: &mut Request<'_>,
+            ) -> Option<Result<Ticket<()>, RequestError>> {
+                match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => add_to!($role, request, field),
+                    )*)*
+                }
+            }
+
+            /// The description of the field.
+            #[must_use]
+            pub const fn info(&self) -> &'static FieldInfo {
+                match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(_) => &<$type as Listed>::INFO,
+                    )*)*
+                }
+            }
+
+            /// The field as a tree of values.
+            #[cfg(feature = "dynamic")]
+            #[inline]
+            #[must_use]
+            pub fn to_value(&self) -> crate::dynamic::Value {
+                use crate::dynamic::ToValue;
+                match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => field.to_value(),
+                    )*)*
+                }
+            }
+
+            /// The field of this name, or of this name in one of its sets, with the values of a tree.
+            #[cfg(feature = "dynamic")]
+            #[inline]
+            pub fn from_value(
+                name: &str,
+                value: &crate::dynamic::Value,
+            ) -> Result<Self, crate::dynamic::ValueError> {
+                match FieldInfo::by_name(name).map_or("", |info| info.name) {
+                    $($(
+                        #[cfg($when)]
+                        $name => from_value::<$type>(value),
+                    )*)*
+                    _ => Err(crate::dynamic::ValueError::Unknown),
+                }
+            }
+        }
+    };
+}
+
+/// The descriptions of values: name, elements, units, frame, and what is inside.
+macro_rules! parameters {
+    ($(
+        $name:literal
+        $(: [$($element:literal)*])?
+        $(in [$($unit:literal)*])?
+        $(of $frame:literal)?
+        $({ $($members:tt)* })?;
+    )*) => {
+        &[$(ParameterInfo {
+            name: $name,
+            elements: &[$($($element),*)?],
+            units: &[$($($unit),*)?],
+            frame: optional!($($frame)?),
+            members: parameters! { $($($members)*)? },
+        }),*]
+    };
+}
+
+/// What is the same in all sets, unless a set has its own.
+macro_rules! own {
+    ($common:literal) => {
+        $common
+    };
+    ($common:literal, $own:literal) => {
+        $own
+    };
+}
+
+macro_rules! optional {
+    () => {
+        None
+    };
+    ($value:literal) => {
+        Some($value)
+    };
+}
+
+/// Adds commands to a request; other fields are errors.
+macro_rules! add_to {
+    (Command, $request:ident, $field:ident) => {
+        Some($request.add($field).map(Ticket::untyped))
+    };
+    ($role:ident, $request:ident, $field:ident) => {{
+        let _ = $field;
+        None
+    }};
+}
+
+/// The fields that a device supports, with the functions that it takes.
+macro_rules! supported {
+    ($($set:literal $descriptor:literal $name:literal [$($function:ident)*] $evidence:expr;)*) => {
+        &[$($crate::devices::Supported {
+            set: $set,
+            descriptor: $descriptor,
+            name: $name,
+            functions: &[$($crate::protocol::FunctionSelector::$function),*],
+            evidence: $evidence,
+        }),*]
+    };
+}

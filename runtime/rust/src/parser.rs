@@ -1,0 +1,397 @@
+//! Finds packets in a stream of bytes that arrives piece by piece.
+
+use core::cell::Cell;
+use core::fmt;
+
+use crate::packet::{checksum, Packet, HEADER, HOST, MAX_PACKET, OVERHEAD};
+use crate::protocol::SYNC;
+
+/// Finds the packets in a stream that arrives in chunks of any size.
+///
+/// Garbage, other protocols, false syncs and broken packets never hide a packet: after a bad
+/// candidate the search continues one byte after its sync. Nothing is allocated. A packet that lies
+/// inside a chunk is checked and returned there; only one that is cut by its end is copied.
+///
+/// ```
+/// use mip_protocol::Parser;
+///
+/// let mut parser = Parser::new();
+/// for chunk in [&b"noise\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6 and more"] {
+///     parser.feed(chunk).for_each(|packet| assert_eq!(packet.set(), 1));
+/// }
+/// assert_eq!(parser.skipped(), 14);
+/// ```
+///
+/// If all bytes are in memory, [`packets`](crate::packets) is simpler.
+#[derive(Clone)]
+pub struct Parser {
+    /// A candidate that the end of a chunk has cut, or the packet that was returned last.
+    buffer: [u8; MAX_PACKET],
+    length: u16,
+    /// The size of the packet in the buffer that was returned last.
+    done: u16,
+    /// How many more bytes are needed to judge the candidate in the buffer; 0 behind a packet.
+    missing: u16,
+    /// The low word and the high one: with the alignment of 64 bits, clearing the memory of a parser
+    /// and of a client is not the same function on microcontrollers.
+    skipped: [u32; 2],
+}
+
+/// What the bytes starting at a possible sync are.
+pub(crate) enum Candidate {
+    Whole(usize),
+    Bad,
+    /// Undecided until this many bytes are available.
+    Open(usize),
+}
+
+#[inline]
+pub(crate) fn judge(bytes: &[u8]) -> Candidate {
+    let [first, _] = SYNC;
+    match *bytes {
+        [a, b, 1..=254, length, ..] if [a, b] == SYNC => {
+            let size = usize::from(length).saturating_add(OVERHEAD);
+            let end = size.saturating_sub(2);
+            match (bytes.get(..end), bytes.get(end..size).map(<[u8; 2]>::try_from)) {
+                (Some(head), Some(Ok(sums))) if sums == checksum(head) => Candidate::Whole(size),
+                (_, Some(_)) => Candidate::Bad,
+                _ => Candidate::Open(size),
+            }
+        }
+        [] => Candidate::Open(HEADER),
+        [a] if a == first => Candidate::Open(HEADER),
+        [a, b] if [a, b] == SYNC => Candidate::Open(HEADER),
+        [a, b, 1..=254] if [a, b] == SYNC => Candidate::Open(HEADER),
+        _ => Candidate::Bad,
+    }
+}
+
+/// The first byte, and those up to the next that may begin a packet.
+pub(crate) fn noise(bytes: &[u8]) -> usize {
+    bytes.iter().skip(1).take_while(|b| **b != SYNC[0]).count().wrapping_add(1)
+}
+
+/// What follows the first bytes.
+pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
+    bytes.get(count..).unwrap_or_default()
+}
+
+impl fmt::Debug for Parser {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Parser({} pending, {} skipped)", self.pending(), self.skipped())
+    }
+}
+
+impl Default for Parser {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Parser {
+    /// A new parser.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { buffer: [0; MAX_PACKET], length: 0, done: 0, missing: 0, skipped: [0; 2] }
+    }
+
+    /// The number of bytes so far that are not part of a packet, without those that are held back.
+    #[must_use]
+    pub const fn skipped(&self) -> u64 {
+        let [low, high] = self.skipped;
+        (high as u64) << 32 | low as u64
+    }
+
+    /// The number of bytes that are held back until more arrive.
+    #[must_use]
+    pub const fn pending(&self) -> usize {
+        self.length.saturating_sub(self.done) as usize
+    }
+
+    /// Takes a chunk, and returns a [`Feed`] that lends its packets one after another.
+    ///
+    /// Feed each chunk once: `while let Some(packet) = parser.feed(chunk).next()` feeds it again for
+    /// each packet, and never ends. [`Feed::for_each`] cannot be mistaken.
+    pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
+        Feed { parser: self, rest: chunk }
+    }
+
+    /// Discards the pending candidate only if a whole packet follows its first bytes, and returns
+    /// that packet: the candidate was noise. Otherwise nothing changes.
+    pub fn look_behind(&mut self) -> Option<Packet<'_>> {
+        (self.holds() || self.holds_behind()).then(|| self.packet())
+    }
+
+    /// Is the next packet complete in the buffer?
+    pub(crate) fn holds(&mut self) -> bool {
+        self.step(&[]).0 > 0
+    }
+
+    /// Is there one behind the first bytes of the candidate, which is then noise?
+    pub(crate) fn holds_behind(&mut self) -> bool {
+        let mut rest = self.held();
+        while let [_, behind @ ..] = rest {
+            rest = behind;
+            if let Candidate::Whole(size) = judge(rest) {
+                let noise = self.held().len().wrapping_sub(rest.len());
+                self.skip(noise);
+                self.drop_front(noise);
+                (self.done, self.missing) = (short(size), 0);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Discards the pending candidate, for example at the end of a file.
+    ///
+    /// Packets inside it are not lost: call it until it returns `None`.
+    pub fn flush(&mut self) -> Option<Packet<'_>> {
+        while !self.holds() {
+            if self.length == 0 {
+                return None;
+            }
+            let count = noise(self.held());
+            self.skip(count);
+            self.drop_front(count);
+            self.missing = 0;
+        }
+        Some(self.packet())
+    }
+
+    /// Searches for a packet. Returns its size, or 0, and how many bytes of the input are left. It
+    /// is in the buffer if `done` is set, else it is the last of the bytes that were searched.
+    pub(crate) fn step(&mut self, given: &[u8]) -> (usize, usize) {
+        let mut input = given;
+        if self.done > 0 {
+            self.drop_front(self.done.into());
+            self.done = 0;
+        }
+        loop {
+            if self.missing > 0 {
+                input = self.fill(input);
+                if self.missing > 0 {
+                    return (0, input.len());
+                }
+            }
+            let buffered = self.length > 0;
+            let bytes = if buffered { self.held() } else { input };
+            match judge(bytes) {
+                Candidate::Whole(size) => {
+                    if buffered {
+                        self.done = short(size);
+                        return (size, input.len());
+                    }
+                    return (size, input.len().wrapping_sub(size));
+                }
+                Candidate::Open(size) => {
+                    let known = bytes.len();
+                    if known == 0 {
+                        return (0, 0);
+                    }
+                    if !buffered {
+                        self.missing = short(known);
+                        input = self.fill(input);
+                    }
+                    self.missing = short(size.wrapping_sub(known));
+                }
+                Candidate::Bad => {
+                    let count = noise(bytes);
+                    self.skip(count);
+                    if buffered {
+                        self.drop_front(count);
+                        // The rest, which has just been copied, is found again where it was.
+                        let left = usize::from(self.length);
+                        let start = given.len().wrapping_sub(input.len()).checked_sub(left);
+                        if let Some(start) = start {
+                            input = behind(given, start);
+                            self.length = 0;
+                        }
+                    } else {
+                        input = behind(input, count);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Removes the packet that was returned last. True if nothing else is held back.
+    #[inline]
+    pub(crate) fn is_empty(&mut self) -> bool {
+        if self.length > 0 {
+            if self.length != self.done {
+                return false;
+            }
+            (self.length, self.done, self.missing) = (0, 0, 0);
+        }
+        true
+    }
+
+    /// Whether the packet that was found last is in the buffer.
+    pub(crate) const fn is_done(&self) -> bool {
+        self.done > 0
+    }
+
+    /// That packet.
+    pub(crate) fn packet(&self) -> Packet<'_> {
+        Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
+    }
+
+    fn held(&self) -> &[u8] {
+        self.buffer.get(..self.length.into()).unwrap_or_default()
+    }
+
+    fn skip(&mut self, count: usize) {
+        let skipped = self.skipped().wrapping_add(count as u64);
+        self.skipped = [skipped as u32, (skipped >> 32) as u32];
+    }
+
+    /// Removes bytes from the front of the buffer.
+    fn drop_front(&mut self, count: usize) {
+        let held = self.buffer.get_mut(..self.length.into()).unwrap_or_default();
+        let places = Cell::from_mut(held).as_slice_of_cells();
+        let rest = places.get(count..).unwrap_or_default();
+        places.iter().zip(rest).for_each(|(to, from)| to.set(from.get()));
+        self.length = short(rest.len());
+    }
+
+    /// Takes the first bytes of a candidate of this size.
+    #[cold] // beside whole packets
+    fn hold(&mut self, bytes: &[u8], size: usize) {
+        if !bytes.is_empty() {
+            self.missing = short(size);
+            self.fill(bytes);
+        }
+    }
+
+    /// Takes the missing bytes, as far as they are there. Returns those behind.
+    #[inline]
+    fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
+        let start = usize::from(self.length);
+        let count = usize::from(self.missing).min(input.len());
+        self.length = self.length.wrapping_add(short(count));
+        self.missing = self.missing.wrapping_sub(short(count));
+        let (head, tail) = input.split_at(count);
+        let free = self.buffer.get_mut(start..).unwrap_or_default();
+        match (free, head) {
+            ([place, ..], [byte]) if HOST => *place = *byte,
+            (free, head) => copy(free, head),
+        }
+        tail
+    }
+}
+
+/// Copies to the first places.
+fn copy(places: &mut [u8], bytes: &[u8]) {
+    // On microcontrollers, `memcpy` may be larger than the parser.
+    if HOST {
+        if let Some(places) = places.get_mut(..bytes.len()) {
+            places.copy_from_slice(bytes);
+        }
+        return;
+    }
+    for (place, byte) in places.iter_mut().zip(bytes) {
+        *place = *byte;
+    }
+}
+
+/// Numbers of bytes in the buffer are small.
+const fn short(count: usize) -> u16 {
+    count as u16
+}
+
+/// A chunk that a parser works through; from [`Parser::feed`].
+///
+/// ```
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// parser.feed(chunk).for_each(|packet| println!("{packet:?}"));
+/// ```
+///
+/// A loop, to end it early or with `?`, takes the packets from a variable:
+///
+/// ```
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// let mut packets = parser.feed(chunk);
+/// while let Some(packet) = packets.next() {
+///     println!("{packet:?}");
+/// }
+/// ```
+///
+/// A packet may be in the parser's buffer, which is needed for the next one: this is not an
+/// `Iterator`, and a packet cannot be kept while the next is requested. To keep it, copy it, for
+/// example into a [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+///
+/// ```compile_fail
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// let mut packets = parser.feed(chunk);
+/// let first = packets.next();
+/// let second = packets.next();
+/// println!("{first:?} {second:?}");
+/// ```
+///
+/// Call it until it returns `None`. If you stop earlier, the part of the chunk that was not reached
+/// is not in the parser: it is [`Feed::rest`], to be fed later.
+#[derive(Debug)]
+#[must_use = "it lends the packets of the chunk"]
+pub struct Feed<'p, 'i> {
+    parser: &'p mut Parser,
+    rest: &'i [u8],
+}
+
+impl<'i> Feed<'_, 'i> {
+    /// Calls a function with each packet of the chunk.
+    pub fn for_each(mut self, mut call: impl FnMut(Packet<'_>)) {
+        while let Some(packet) = self.next() {
+            call(packet);
+        }
+    }
+
+    /// The next packet, or `None` at the end of the chunk.
+    ///
+    /// Of a feed in a variable: `while let Some(packet) = parser.feed(chunk).next()` never ends,
+    /// because it feeds the chunk again for each packet.
+    #[allow(clippy::should_implement_trait)] // an iterator cannot lend
+    #[inline]
+    pub fn next(&mut self) -> Option<Packet<'_>> {
+        // The usual cases first: nothing is held back, and a packet is next, or its first part.
+        if HOST && self.parser.is_empty() {
+            match judge(self.rest) {
+                Candidate::Whole(size) => {
+                    let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
+                    self.rest = rest;
+                    return Some(Packet::trusted(packet));
+                }
+                Candidate::Open(size) => {
+                    self.parser.hold(self.rest, size);
+                    self.rest = &[];
+                    return None;
+                }
+                _ => {}
+            }
+        } else if HOST && self.rest.len() == 1 && self.parser.missing > 1 {
+            // Byte by byte.
+            self.rest = self.parser.fill(self.rest);
+            return None;
+        }
+        let (size, left) = self.parser.step(self.rest);
+        let (searched, rest) = self.rest.split_at(self.rest.len().saturating_sub(left));
+        self.rest = rest;
+        match size {
+            0 => None,
+            _ if self.parser.is_done() => Some(self.parser.packet()),
+            _ => Some(Packet::trusted(behind(searched, searched.len().wrapping_sub(size)))),
+        }
+    }
+
+    /// The part of the chunk that has not been reached yet.
+    #[must_use]
+    pub const fn rest(&self) -> &'i [u8] {
+        self.rest
+    }
+}

@@ -1,0 +1,310 @@
+//! All fields, for tools that must handle any of them.
+//!
+//! [`AnyField::decode`] finds the type of a field and decodes it. A [`Visitor`] processes each type
+//! without a value as large as the largest field.
+//!
+//! A program that does not use this module does not contain it. It lists the fields of the
+//! descriptor sets whose cargo features are enabled.
+
+use core::fmt;
+
+use crate::client::{Request, RequestError, Ticket};
+use crate::codec::{Reader, Wire as _, Writer};
+use crate::error::{DecodeError, EncodeError};
+use crate::field::{Field, RawField, Role};
+
+mod fields;
+
+pub use fields::{visit, AnyField, FIELDS};
+
+/// The description of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct FieldInfo {
+    /// The descriptor sets in which it occurs, in ascending order.
+    pub sets: &'static [u8],
+    /// The field descriptor.
+    pub descriptor: u8,
+    /// Its role.
+    pub role: Role,
+    /// The name in the specification, `family.field`; see [`FieldInfo::name_in`].
+    pub name: &'static str,
+    /// Its title; see [`FieldInfo::title_in`].
+    pub title: &'static str,
+    /// Names of the responses of a command, or of the commands that a response answers.
+    pub linked: &'static [&'static str],
+    /// What it is called in the sets of a family of several.
+    occurrences: &'static [Occurrence],
+}
+
+/// A field in one of the descriptor sets of its family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Occurrence {
+    set: u8,
+    name: &'static str,
+    title: &'static str,
+}
+
+impl FieldInfo {
+    /// The field of this name, or of this name in one of its sets: `set.field`.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<&'static Self> {
+        let called = |info: &&Self| {
+            info.name == name || info.occurrences.iter().any(|found| found.name == name)
+        };
+        FIELDS.iter().find(called)
+    }
+
+    /// Its descriptor set, if there is only one.
+    #[must_use]
+    pub const fn set(&self) -> Option<u8> {
+        match *self.sets {
+            [set] => Some(set),
+            _ => None,
+        }
+    }
+
+    /// Does it occur in this descriptor set?
+    #[must_use]
+    pub fn occurs_in(&self, set: u8) -> bool {
+        self.sets.contains(&set)
+    }
+
+    /// Its name in a set, `set.field`, if it occurs there. What occurs in every set of its kind has
+    /// the same name everywhere.
+    #[must_use]
+    pub fn name_in(&self, set: u8) -> Option<&'static str> {
+        self.occurs_in(set).then(|| self.occurrence(set).map_or(self.name, |found| found.name))
+    }
+
+    /// Its title in a set, if it occurs there.
+    #[must_use]
+    pub fn title_in(&self, set: u8) -> Option<&'static str> {
+        self.occurs_in(set).then(|| self.occurrence(set).map_or(self.title, |found| found.title))
+    }
+
+    fn occurrence(&self, set: u8) -> Option<&'static Occurrence> {
+        self.occurrences.iter().find(|found| found.set == set)
+    }
+
+    /// The field that has these bytes; if there are several layouts, that of the data.
+    #[inline]
+    #[must_use]
+    pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
+        visit(field, Describe)
+    }
+
+    /// Its values, in the order of the packet: those that the type of the field holds.
+    ///
+    /// It searches for the field; [`Listed::PARAMETERS`] are at hand where its type is known.
+    #[must_use]
+    pub fn parameters(&self) -> &'static [ParameterInfo] {
+        let mut all = FIELDS.iter().zip(fields::PARAMETERS);
+        all.find(|(info, _)| info.name == self.name).map_or(&[], |(_, found)| *found)
+    }
+}
+
+/// The description of a value of a field or of a structure.
+///
+/// A program contains them only if it uses [`FieldInfo::parameters`] or [`Listed::PARAMETERS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct ParameterInfo {
+    /// The name in the specification.
+    pub name: &'static str,
+    /// The names of the elements of a vector, or nothing.
+    pub elements: &'static [&'static str],
+    /// The unit of all elements, or that of each: `["m/s"]`, `["deg", "deg", "m"]`; `["1"]` for a
+    /// plain number; nothing if it has none, or if another value decides it.
+    pub units: &'static [&'static str],
+    /// The frame of reference, if there is one and no other value decides it.
+    pub frame: Option<&'static str>,
+    /// The values of a structure, or of each structure of an array; of a union its alternatives.
+    pub members: &'static [ParameterInfo],
+}
+
+/// The methods of every field type in the registry. Only the types of this crate implement it.
+pub trait Listed:
+    Field
+    + bounds::Sealed
+    + Clone
+    + fmt::Debug
+    + PartialEq
+    + Into<AnyField>
+    + bounds::Serde
+    + bounds::Defmt
+    + bounds::Tree
+{
+    /// The description of the field.
+    const INFO: FieldInfo;
+
+    /// The descriptions of its values, in the order of the packet.
+    const PARAMETERS: &'static [ParameterInfo];
+
+    /// The field as one of any type.
+    #[must_use]
+    fn into_any(self) -> AnyField;
+}
+
+/// Processes a field of any type: see [`visit`].
+///
+/// Methods that are added later will have a default.
+///
+/// ```
+/// use mip_protocol::registry::{visit, Listed, Visitor};
+/// use mip_protocol::{packet::Packet, RawField};
+///
+/// /// Prints fields as they arrive.
+/// struct Print;
+///
+/// impl Visitor for Print {
+///     type Output = ();
+///
+///     fn visit<T: Listed>(self, field: &RawField<'_>) {
+///         match T::decode(field.data) {
+///             Ok(value) => println!("{:?}: {value:?}", T::INFO.title_in(field.set)),
+///             Err(error) => println!("{error}"),
+///         }
+///     }
+///
+///     fn unknown(self, field: &RawField<'_>) {
+///         println!("{field:?}");
+///     }
+/// }
+///
+/// # let bytes = [0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A];
+/// for field in Packet::new(&bytes).unwrap().fields() {
+///     visit(&field.unwrap(), Print); // the command is acknowledged
+/// }
+/// ```
+pub trait Visitor {
+    /// The result.
+    type Output;
+
+    /// Processes a field of type `T`, not yet decoded; `field.set` is the descriptor set of its packet.
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output;
+
+    /// Processes a field that the registry does not list.
+    fn unknown(self, field: &RawField<'_>) -> Self::Output;
+}
+
+/// A field of any type that was decoded, and the descriptor set of its packet: one type may occur in
+/// several, each of which is another sensor or receiver.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct Decoded {
+    /// The descriptor set of the packet.
+    pub set: u8,
+    /// The field.
+    pub field: AnyField,
+    /// The number of bytes left over, as newer firmware may append some.
+    pub left_over: usize,
+}
+
+impl Decoded {
+    /// The name of the field in its set, `set.field`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        let info = self.field.info();
+        info.name_in(self.set).unwrap_or(info.name)
+    }
+
+    /// The title of the field in its set.
+    #[must_use]
+    pub fn title(&self) -> &'static str {
+        let info = self.field.info();
+        info.title_in(self.set).unwrap_or(info.title)
+    }
+}
+
+impl AnyField {
+    /// Decodes a field; `None` if it is unknown.
+    #[inline]
+    #[must_use]
+    pub fn decode(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+        visit(field, Decode)
+    }
+}
+
+struct Decode;
+
+impl Visitor for Decode {
+    // The whole answer, so that each type writes its value right where the caller wants it.
+    type Output = Option<Result<Decoded, DecodeError>>;
+
+    #[inline]
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
+        decode::<T>(field)
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
+}
+
+#[inline(always)]
+fn decode<T: Listed>(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
+    let mut reader = Reader::new(field.data);
+    match T::decode_from(&mut reader) {
+        Ok(value) => Some(Ok(Decoded {
+            set: field.set,
+            field: value.into_any(),
+            left_over: reader.remaining(),
+        })),
+        Err(_) => Some(Err(wrong(reader, T::NAME))),
+    }
+}
+
+/// Once for all types.
+#[cold]
+fn wrong(reader: Reader<'_>, field: &'static str) -> DecodeError {
+    reader.error(field)
+}
+
+struct Describe;
+
+impl Visitor for Describe {
+    type Output = Option<&'static FieldInfo>;
+
+    fn visit<T: Listed>(self, _: &RawField<'_>) -> Self::Output {
+        Some(&T::INFO)
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
+}
+
+#[cfg(feature = "dynamic")]
+#[inline(never)]
+fn from_value<T: Listed>(
+    value: &crate::dynamic::Value,
+) -> Result<AnyField, crate::dynamic::ValueError> {
+    T::from_value(value).map(T::into_any)
+}
+
+/// Further traits of types, by features of the crate.
+mod bounds {
+    /// Prevents other crates from implementing [`Listed`](super::Listed), to which methods may be
+    /// added.
+    pub trait Sealed {}
+
+    macro_rules! bound {
+        ($name:ident: $feature:literal, $($bound:tt)+) => {
+            #[cfg(feature = $feature)]
+            pub trait $name: $($bound)+ {}
+            #[cfg(feature = $feature)]
+            impl<T: $($bound)+> $name for T {}
+            #[cfg(not(feature = $feature))]
+            pub trait $name {}
+            #[cfg(not(feature = $feature))]
+            impl<T> $name for T {}
+        };
+    }
+
+    bound!(Serde: "serde", serde::Serialize + serde::de::DeserializeOwned);
+    bound!(Defmt: "defmt", defmt::Format);
+    bound!(Tree: "dynamic", crate::dynamic::ToValue + crate::dynamic::FromValue);
+}

@@ -1,0 +1,37 @@
+//! Writes the fields of a log as JSON, one packet in a line.
+//!
+//!     cargo run --example json --features std,serde -- log.bin
+
+use std::error::Error;
+use std::fs::File;
+use std::io::{stdout, BufWriter, Write};
+
+use mip_protocol::{AnyField, FieldLengthError, PacketReader, RawField};
+use serde_json::json;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let path = std::env::args().nth(1).ok_or("usage: json LOG")?;
+    let mut packets = PacketReader::new(File::open(path)?);
+    let mut lines = BufWriter::new(stdout().lock());
+    while let Some(packet) = packets.next_packet()? {
+        let fields = packet.fields().map(text).collect::<Result<Vec<_>, _>>()?;
+        writeln!(lines, r#"{{"set":{},"fields":[{}]}}"#, packet.set(), fields.join(","))?;
+    }
+    Ok(lines.flush()?)
+}
+
+/// Text and not a `serde_json::Value`, whose floats are all of 64 bits: 0.1 has 17 digits there.
+fn text(field: Result<RawField<'_>, FieldLengthError>) -> serde_json::Result<String> {
+    let field = match field {
+        Ok(field) => field,
+        Err(error) => return serde_json::to_string(&json!({"error": error.to_string()})),
+    };
+    let mut raw = json!({"descriptor": field.descriptor, "data": field.data});
+    // Borrowed, because it is as large as the largest field.
+    match &AnyField::decode(&field) {
+        Some(Ok(found)) => return serde_json::to_string(&found.field), // {"sensor.scaled_accel": {…}}
+        Some(Err(error)) => raw["error"] = error.to_string().into(),
+        None => {} // unknown
+    }
+    serde_json::to_string(&raw)
+}

@@ -1,0 +1,84 @@
+"""Compiles the generated library, once for each set of flags, and programs with it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from support import BUILD, SPECS, locked, need
+
+HERE = Path(__file__).parent / "c"
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+#: What further gcc can say of the library; programs of tests need not be so clean.
+PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat-equal", "-Wlogical-op",
+            "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
+            "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
+#: Programs of unit/ that run with the library of the invented specification.
+UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage")
+SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+#: How the library of unit programs is built, which other programs that run under the sanitizers link with.
+SANITIZED = ["-std=c99", "-O1", *SANITIZE]
+
+
+def folder(spec: str) -> Path:
+    return SPECS[spec][1] / "c"
+
+
+def sources(spec: str) -> list[str]:
+    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
+
+
+def include(spec: str) -> str:
+    return f"-I{folder(spec)}/src"
+
+
+def run(*command: str | Path, **environment: str) -> str:
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
+    assert done.returncode == 0, f"{' '.join(map(str, command))[:400]}\n{done.stdout[-3000:]}{done.stderr[-6000:]}"
+    return done.stdout
+
+
+def stamp(spec: str, *command: str) -> str:
+    digest = hashlib.sha256(" ".join(command).encode())
+    for path in sorted((folder(spec) / "src/mip").iterdir()):
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()
+
+
+def archive(spec: str, compiler: str, *flags: str) -> Path:
+    """The whole library, under all warnings; kept as long as nothing changes."""
+    command = [need(compiler), *WARNINGS, *flags]
+    key = hashlib.sha256(" ".join([spec, *command]).encode()).hexdigest()[:16]
+    where = BUILD / f"c/{key}"
+    library, mark = where / "libmip.a", where / "stamp"
+    with locked(where):
+        now = stamp(spec, *command)
+        if not mark.is_file() or mark.read_text() != now:
+            where.mkdir(exist_ok=True)
+            library.unlink(missing_ok=True)
+            objects = []
+            for source in sources(spec):
+                objects.append(str(where / f"{Path(source).stem}.o"))
+                run(*command, include(spec), "-c", source, "-o", objects[-1])
+            tools = compiler[: -len("gcc")] if compiler.endswith("-gcc") else ""
+            run(need(f"{tools}ar"), "rcs", library, *objects)
+            mark.write_text(now)
+    return library
+
+
+def compiled(
+    out: Path,
+    spec: str,
+    compiler: str,
+    source: Path,
+    *flags: str,
+    also: Sequence[Path] = (),
+    library: Path | None = None,
+) -> Path:
+    """A program with what it needs of the library; `library`: one that was compiled in another way."""
+    library = library or archive(spec, compiler, *flags)
+    run(need(compiler), *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", source, *also, library, "-o", out)
+    return out

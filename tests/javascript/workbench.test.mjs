@@ -1,0 +1,169 @@
+// The workbench as it is built: the finder, and the texts that people paste. The pages are tested in a browser.
+//
+//     FOLDER=generated/javascript WORKBENCH=build/workbench node --test workbench.test.mjs
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import vm from "node:vm";
+
+const script = path.resolve(process.env.WORKBENCH, "workbench.js");
+const load = (name) => import(pathToFileURL(path.resolve(process.env.FOLDER, name)));
+await import(pathToFileURL(script));
+const { Protocol, bytesOfText, find, indexOf, model, toHex } = globalThis.mip;
+const protocol = new Protocol(model);
+
+test("the script has all of the codec and the model, and nothing is global but `mip`", async () => {
+    const context = vm.createContext({ TextEncoder });
+    vm.runInContext(fs.readFileSync(script, "utf8"), context);
+    assert.deepEqual(Object.keys(context), ["TextEncoder", "mip"]);
+    const codec = await load("mip/index.mjs");
+    assert.deepEqual(
+        Object.keys(codec).filter((name) => !(name in context.mip)),
+        [],
+    );
+    const { default: wanted } = await load("model.mjs");
+    assert.equal(JSON.stringify(context.mip.model), JSON.stringify(wanted));
+    const of = new codec.Protocol(wanted);
+    const theirs = new context.mip.Protocol(context.mip.model);
+    const text = (value) => JSON.stringify(value, (_, v) => (typeof v === "bigint" ? `${v}` : v));
+    for (const { packet } of wanted.examples) {
+        const one = context.mip.Packet.from(theirs, context.mip.fromHex(packet)).decode({ floatBits: true });
+        assert.equal(text(one), text(codec.Packet.from(of, codec.fromHex(packet)).decode({ floatBits: true })), packet);
+    }
+});
+
+// ------------------------------------------------------------------------------------------------ the finder
+
+const index = indexOf(protocol);
+const first = (text) => find(index, text, 1)[0]?.field;
+const pair = (field) => [field.set, field.descriptor].map((n) => n.toString(16).padStart(2, "0"));
+
+test("every descriptor is found in every form", () => {
+    const forms = [
+        ([s, d]) => `0x${s}${d}`,
+        ([s, d]) => `${s} ${d}`.toUpperCase(),
+        ([s, d]) => `(0x${s},0x${d})`,
+        ([s, d]) => `0x${s}, 0x${d}`,
+        ([s, d]) => `${s}:${d}`,
+        ([s, d]) => `${s}${d}`.toUpperCase(),
+    ];
+    protocol.model.fields.forEach((field, i) => {
+        if (!field.set) return;
+        const wanted = protocol.candidates(field.set, field.descriptor).map((one) => one.name);
+        const text = forms[i % forms.length](pair(field));
+        assert.deepEqual(
+            find(index, text, wanted.length).map((one) => one.field.name),
+            wanted,
+            text,
+        );
+    });
+    for (const form of forms) {
+        const field = protocol.model.fields.at(-1);
+        assert.equal(first(form(pair(field))).descriptor, field.descriptor, form(pair(field)));
+    }
+});
+
+test("a set is found by its number, its own fields first", () => {
+    for (const set of protocol.model.sets) {
+        const found = find(index, `0x${set.number.toString(16)}`, set.fields.length);
+        assert.deepEqual(
+            found.map(({ field }) => field.name),
+            set.fields,
+        );
+    }
+});
+
+test("every field is found by its name and its symbols", () => {
+    for (const field of protocol.model.fields) {
+        for (const symbol of [field.name, ...Object.values(field.symbols)]) {
+            assert.equal(first(symbol)?.name, field.name, symbol);
+            assert.equal(first(`${symbol}_encode`)?.name, field.name, symbol);
+        }
+    }
+});
+
+test("every field is found by its other names", () => {
+    for (const field of protocol.model.fields) {
+        for (const name of field.also ?? []) {
+            const found = find(index, `${field.name.split(".")[0]}.${name}`, 2).map((one) => one.field.name);
+            assert.ok(found.includes(field.name), name);
+        }
+    }
+});
+
+test("nothing is found by nothing", () => {
+    assert.deepEqual(find(index, "  "), []);
+    assert.deepEqual(find(index, "0xAB 0xCD"), []);
+    assert.deepEqual(find(index, "xyzzy"), []);
+});
+
+// ---------------------------------------------------------------------------------------------------- pasted text
+
+const PING = "756501020201e0c6";
+
+test("bytes are read in the forms in which programs and tools write them", () => {
+    for (const text of [
+        "7565 0102\n0201  e0c6",
+        "7565  0102\n0201  e0c6",
+        "0120  75 65 01 02  ue..\n0124  02 01 e0 c6  ....",
+        "20001000  75 65 01 02  ue..\n20001004  02 01 e0 c6  ....",
+        "0x20001000: 75 65 01 02 02 01 e0 c6",
+        "00000000: 7565 0102  ue..\n00000004: 0201 e0c6  ....",
+        String.raw`b"ue\001\002\002\001\340\306"`,
+        String.raw`b"ue\1\2\2\1\xe0\xc6"`,
+        String.raw`"ue\1\2\2\1\340\306"`,
+        String.raw`write(3, "ue\1\2\2\1\340\306", 8) = 8`,
+        String.raw`don't: 'ue\x01\x02\x02\x01\xe0\xc6'`,
+        String.raw`printf \165\145\001\002\002\001\340\306`,
+        "{0x75u, 0x65u, 0x01u, 0x02U, 0x02u, 0x01ul, 0xE0u, 0xC6u}",
+        "[0x75u8, 0x65, 1, 2, 2, 1, 0xE0, 0xC6]",
+        "[0x75_u8, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6]",
+        "0x7565_0102_0201_e0c6",
+        "&H75, &H65, &H01, &H02, &H02, &H1, &HE0, &HC6",
+        "75_65_01_02_02_01_e0_c6",
+        "75.65.01.02.02.01.E0.C6",
+        "75-65-01-02-02-01-E0-C6",
+        "bytearray([117, 101, 1, 2, 2, 1, 224, 198])",
+        "Uint8Array(8) [\n  117, 101,   1,   2,\n    2,   1, 224, 198\n]",
+        "$1 = {117, 101, 1, 2, 2, 1, 224, 198}",
+        "[117u8, 101, 1, 2, 2, 1, 224, 198]",
+        "[117, 101, 1, 2, 2, 1, -32, -58]",
+        "[117 101   1   2   2   1 224 198]",
+        "dWUBAgIB4MY=",
+        '{"data": "dWUBAgIB4MY"}',
+        "[10:11:12.345] 75 65 01 02\n[10:11:12.346] 02 01 e0 c6",
+        "10:11:12 75 65 01 02\n10:11:13 02 01 e0 c6",
+        "2026-01-02T10:11:12.345Z 75 65 01 02\n2026-01-02T10:11:12.346Z 02 01 e0 c6",
+        "2026-01-02 10:11:12,345 75 65 01 02\n2026-01-02 10:11:12,346 02 01 e0 c6",
+        "0x75, 0x65, // sync 10\n0x01, /* set 20 */ 0x02, 0x02, 0x01, /* 30\n40 */ 0xe0, 0xc6",
+        "0x75, // 10\n0x65, // 11\n0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6",
+        "// 75 65 01 02 02 01 e0 c6",
+        "// 75 65 01 02\n// 02 01 e0 c6",
+        String.raw`// "\x75\x65\x01\x02\x02\x01\xe0\xc6"`,
+        "/* {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6} */",
+        "75:65:01:02:02:01:e0:c6",
+    ]) {
+        assert.equal(toHex(bytesOfText(text).bytes), PING, text);
+    }
+});
+
+test("a long text is read", () => {
+    assert.equal(bytesOfText("75 65 ".repeat(200000)).bytes.length, 400000);
+});
+
+test("what is left out of a pasted text is listed", () => {
+    for (const [text, ignored] of [
+        ["7565 0102\n0201  e0c6", []],
+        ["0124: 75 65 01 02", ["0124"]],
+        ["0124: 75 65 01 02  ue..\n0128: 02 01 e0 c6  ....", []],
+        ["[10:11:12.345] 75 65", ["10:11:12.345"]],
+        ["0x75, // sync 10\n0x65", ["// sync 10"]],
+        ["117, 101, 256", ["256"]],
+        ["117, 102", ["117, 102"]],
+        ["hello world", ["hello world"]],
+    ]) {
+        assert.deepEqual(bytesOfText(text).ignored, ignored, text);
+    }
+});

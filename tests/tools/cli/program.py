@@ -1,0 +1,95 @@
+"""The program `mip` as its users run it, and logs for it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from typing import Any
+
+from mip_protocol import base, mip_3dm, types
+from mip_tools import __main__
+from mip_tools.simulator import VirtualDevice
+from support import PYTHONPATH
+
+DEVICE = "3dm-cv7-gnss-ins"
+PATIENCE = 30.0  # seconds until a test gives up; none waits so long
+ENVIRONMENT = {
+    **{k: v for k, v in os.environ.items() if not k.startswith("PYTHON")},
+    "PYTHONPATH": PYTHONPATH,
+    "PYTHONDONTWRITEBYTECODE": "1",
+    "COLUMNS": "100",
+}
+
+
+def command(*arguments: object, extras: bool = True) -> list[str]:
+    """`mip` with these arguments; without `extras`, on the standard library alone."""
+    return [sys.executable, *([] if extras else ["-S"]), "-m", "mip_tools", *map(str, arguments)]
+
+
+def mip(*arguments: object, data: bytes = b"", extras: bool = True) -> tuple[int, str, str]:
+    """The exit status, output and errors of a process; anything unforeseen is a failure."""
+    done = subprocess.run(command(*arguments, extras=extras), input=data, capture_output=True, env=ENVIRONMENT)
+    out, error = done.stdout.decode("utf-8", "surrogateescape"), done.stderr.decode()
+    assert "Traceback" not in error, error
+    return done.returncode, out, error
+
+
+def run(capsys: Any, *arguments: object) -> tuple[int, str, str]:
+    """The same in this process, which is faster."""
+    try:
+        code = __main__.main([str(a) for a in arguments])
+    except SystemExit as end:
+        code = int(end.code or 0)
+    out, error = capsys.readouterr()
+    return code, out, error
+
+
+@contextmanager
+def running(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[bytes]]:
+    process = subprocess.Popen(
+        command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT, **options
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.communicate()
+
+
+@contextmanager
+def simulated(*options: object) -> Iterator[str]:
+    """A virtual device at a TCP port, as `mip` names it."""
+    with running("simulate", DEVICE, "--tcp", "0", *options) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().decode().strip()
+
+
+RATES = {
+    0x80: ((0xD3, 10), (0x04, 10), (0x05, 10), (0x06, 20)),
+    0x82: ((0xD3, 50), (0x05, 50), (0x01, 50), (0x10, 50)),
+    0x91: ((0xD3, 1), (0x03, 1), (0x09, 5)),
+}
+
+
+@cache
+def log(seconds: float = 4.0) -> bytes:
+    """What a device sends in some seconds: inertial data, a filter and a receiver."""
+    device = VirtualDevice(DEVICE)
+    link = device.connect()
+    commands: list[Any] = [base.SetIdle()]
+    for number, fields in RATES.items():
+        rates = tuple(types.DescriptorRate(*field) for field in fields)
+        commands += [mip_3dm.MessageFormat.write(number, rates), mip_3dm.DataStreamControl.write(number, True)]
+    for c in [*commands, base.Resume()]:
+        link.write(bytes(c.packet()))
+        device.advance(0.05)
+    link.read()
+    found = b""
+    for _ in range(round(seconds * 10)):
+        device.advance(0.1)
+        found += link.read()
+    return found

@@ -1,0 +1,223 @@
+"""`mip info` and `mip export` say the same by columns as packet by packet, to the byte."""
+
+from __future__ import annotations
+
+import random
+import struct
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import EncodeError, Packet, PacketBuilder, filter_data, registry, sensor, shared
+from mip_tools.cli import clocks, csv_columns, info, info_columns, inputs, intervals, scan, values
+from mip_tools.columns import log as columns_log
+from mip_tools.columns import read_log, times
+from program import log, run
+from support import later
+
+np, pq = later("numpy"), later("pyarrow.parquet")
+
+GOOD = b"$GPZDA,,,,,,*48\r\n"
+WRONG = b"$GPZDA,,,,,,*49\r\n"
+
+
+def damaged(seed: int) -> bytes:
+    """Packets of any data fields and some commands, with gaps, jumps, noise, sentences and damage."""
+    rng = random.Random(seed)
+    kinds = [(n, t) for n, t in registry.all_types() if n != 0xFF]
+    chosen = [*rng.sample([k for k in kinds if k[0] >= 0x80], 10), *rng.sample([k for k in kinds if k[0] < 0x80], 2)]
+    chosen += [(0x80, sensor.ScaledAccel), (0x82, filter_data.EulerAngles)] * 5
+    out, now = bytearray(), 100.0
+    for _ in range(900):
+        number, kind = rng.choice(chosen)
+        now += rng.choice([0.01] * 30 + [0.5, 7.25, -3.0, 1e-9])
+        builder = PacketBuilder(number)
+        if number >= 0x80 and rng.random() < 0.7:
+            flags = shared.GpsTimestampFlags(rng.choice((0, 1, 3, 3, 3)))
+            builder.add(0xD3, shared.GpsTimestamp(rng.choice([now] * 20 + [float("nan"), 1e300]), 2296, flags).encode())
+        if number >= 0x80 and rng.random() < 0.5:
+            builder.add(
+                0xD5, struct.pack(">Q", rng.choice([int(now * 1e9)] * 9 + [4 * 10**18 - 1, 4 * 10**18, 2**64 - 1]))
+            )
+        for _ in range(rng.choice((1, 1, 1, 2, 3))):
+            with suppress(EncodeError):  # it is full
+                builder.add(kind.DESCRIPTOR, rng.randbytes(rng.choice((12, 14, 14, 28, 44, 3))))
+            number_, other = rng.choice(chosen)
+            if number_ == number:
+                with suppress(EncodeError):
+                    builder.add(other.DESCRIPTOR, rng.randbytes(14))
+        one = bytearray(bytes(builder.build()))
+        if rng.random() < 0.05:
+            one[rng.randrange(len(one))] ^= 1 << rng.randrange(8)
+        if rng.random() < 0.03:
+            del one[rng.randrange(len(one)) :]
+        if rng.random() < 0.03:  # malformed, with a right checksum
+            one[4] = 250
+            a = b = 0
+            for byte in one[:-2]:
+                a = (a + byte) & 255
+                b = (b + a) & 255
+            one[-2:] = bytes((a, b))
+        out += one
+        if rng.random() < 0.1:
+            out += rng.choice([GOOD, WRONG, b"u", b"ue", b"ue\x80\xff", b"ue\x80\x02" + bytes(40), rng.randbytes(99)])
+    return b"\r\n" + bytes(out) + b"ue\x80"
+
+
+STREAMS = {
+    "recorded": log,
+    "empty": bytes,
+    "noise": lambda: random.Random(1).randbytes(3000) + b"\x75\x65\x80\x20" * 20_000 + b"no end" * 20_000 + GOOD * 3,
+    "sentences": lambda: (GOOD + WRONG) * 5000,
+    **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(4)},
+}
+
+
+@pytest.fixture(params=sorted(STREAMS))
+def path(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    (tmp_path / "log.bin").write_bytes(STREAMS[request.param]())
+    return tmp_path / "log.bin"
+
+
+def held(found: intervals.Intervals) -> dict[str, Any]:
+    """All that is known of intervals; the longest in no order."""
+    return {**vars(found), "_longest": sorted(found._longest)}
+
+
+@pytest.mark.parametrize("piece", [300, 4096, 1 << 20])
+def test_info(path: Path, piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(info_columns, "PART", 5 * piece)
+    seen = []
+    by_columns = info_columns.examine
+    monkeypatch.setattr(info_columns, "examine", lambda *given: seen.append(1) or by_columns(*given))
+    fast = info.examine(str(path))
+    monkeypatch.setattr(inputs, "as_columns", lambda name: None)
+    slow = info.examine(str(path))
+    assert len(seen) == 1
+    assert info.lines("log", fast) == info.lines("log", slow)
+    assert info.as_json("log", fast) == info.as_json("log", slow)
+    for clock, sets in slow.clocks.items():
+        assert {n: held(i) for n, i in fast.clocks[clock].items()} == {n: held(i) for n, i in sets.items()}
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        (),
+        ("--invalid", "mask", "--time", "clock"),
+        ("--invalid", "drop", "--time", "start"),
+        ("--time", "none", "--names"),
+        ("sensor.scaled_accel",),
+        ("sensor", "filter_data", "--without", "filter_data.euler_angles", "--invalid", "mask"),
+        ("shared.gps_timestamp", "sensor", "--without", "0x80:0xD3"),
+        ("--split",),
+        ("--only", "0x01,0x0C,0x0D,0x0E,0x13,0x7F,sensor,acknowledge"),
+    ],
+    ids=" ".join,
+)
+def test_csv(
+    path: Path, options: tuple[str, ...], tmp_path: Path, capsys: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(csv_columns, "PART", 9000)
+    seen = []
+    by_columns = csv_columns.Lines.write
+    monkeypatch.setattr(csv_columns.Lines, "write", lambda *given: seen.append(1) or by_columns(*given))
+    found = []
+    for way in ("fast", "slow"):
+        folder = tmp_path / way
+        folder.mkdir()
+        said = run(capsys, "export", path, *options, "-o", folder / "log.csv")
+        found.append((said, {p.name: p.read_bytes() for p in folder.iterdir()}))
+        monkeypatch.setattr(inputs, "as_columns", lambda name: None)
+    assert found[0] == found[1]
+    assert bool(seen) == bool(found[0][1])
+
+
+def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys: Any) -> None:
+    a, b = ((4, struct.pack(">3f", i, i, i)) for i in (1, 2))
+    c = (5, struct.pack(">3f", 3, 3, 3))
+    data = b""
+    for fields in ((a, c, b), (a, b, c)):
+        builder = PacketBuilder(0x80)
+        for field in fields:
+            builder.add(*field)
+        data += bytes(builder.build())
+    (tmp_path / "log").write_bytes(data)
+    run(capsys, "export", tmp_path / "log", "-o", tmp_path / "out.csv")
+    rows = (tmp_path / "out.csv").read_text().splitlines()[1:]
+    assert rows == ["1.0,1.0,1.0,3.0,3.0,3.0", "2.0,2.0,2.0,,,", "1.0,1.0,1.0,,,", "2.0,2.0,2.0,3.0,3.0,3.0"]
+
+
+def test_decimals_of_numbers_of_four_bytes() -> None:
+    rng = np.random.default_rng(1)
+    tens, twos = np.float32(10) ** np.arange(-12, 13, dtype=np.float32), np.float32(2) ** np.arange(-140, 127)
+    numbers = np.concatenate(
+        [
+            rng.integers(0, 1 << 32, 20_000, np.uint32).view(np.float32),
+            rng.normal(size=20_000).astype(np.float32),
+            (10 ** rng.uniform(-6, 10, 20_000)).astype(np.float32),
+            (rng.integers(-(10**6), 10**6, 5000) / 1000).astype(np.float32),
+            *(np.nextafter(x, np.float32(end)).astype(np.float32) for x in (tens, twos) for end in (0, np.inf)),
+            tens,
+            twos.astype(np.float32),
+            np.array([0, -0.0, np.nan, np.inf, -np.inf], np.float32),
+        ]
+    )
+    assert list(map(repr, csv_columns.shortest(numbers).tolist())) == [
+        values.number(x, "float") for x in numbers.tolist()
+    ]
+    assert csv_columns.shortest(numbers[:0]).tolist() == []
+
+
+@pytest.mark.parametrize("most", [3, 10**9, 2**52, 8 * 10**18])
+@pytest.mark.parametrize("cut", [1, 7, 10_000])
+def test_intervals_of_arrays(most: int, cut: int) -> None:
+    rng = random.Random(most)
+    moments = [rng.randrange(-most, most) for _ in range(300)] + [10**9 * i for i in range(300)]
+    one, all_ = intervals.Intervals(), intervals.Intervals()
+    for at in range(0, len(moments), cut):
+        part = moments[at : at + cut]
+        all_.add_all(np.array(part, np.int64), np.arange(at, at + len(part)) * 40)
+    for i, moment in enumerate(moments):
+        one.add(moment, i * 40)
+    assert held(one) == held(all_)
+
+
+@pytest.mark.parametrize("value", [0, 4 * 10**18 - 1, 4 * 10**18, 4 * 10**18 - 200, 2**64 - 1])
+def test_times_have_one_rule(value: int) -> None:
+    packet = bytes(PacketBuilder(0x80).add(0xD5, struct.pack(">Q", value)).add(4, bytes(12)).build())
+    (found,) = read_log(packet)["sensor.scaled_accel"].time("reference").values.view(np.int64).tolist()
+    assert clocks.moments(Packet(packet)) == {"reference": None if found == times.NONE else found}
+    assert (found == times.NONE) == (value >= 4 * 10**18)
+
+
+@pytest.mark.parametrize("chunk", [1, 7, 1000, 1 << 20])
+def test_damaged_packets_are_counted_however_the_bytes_come(chunk: int) -> None:
+    rng = random.Random(5)
+    parts = [rng.choice([b"ue\x80\x05", b"u", b"e", b"ue\x80\xff", bytes(9), b"ue\x00"]) for _ in range(40_000)]
+    data = b"".join(parts)
+    assert len(data) > 3 * (1 << 16) / 2
+    whole, cut = scan.Damaged(), scan.Damaged()
+    whole._run += data
+    whole.end()
+    for at in range(0, len(data), chunk):
+        cut.feed(data[at : at + chunk])
+    cut.end()
+    assert (cut.count, cut.runs) == (whole.count, 1) and cut.count > 4000
+
+
+def test_sentences_are_those_with_a_right_checksum(tmp_path: Path) -> None:
+    """As `Device.on_skipped` finds them."""
+    (tmp_path / "log").write_bytes(GOOD + WRONG + b"noise" + GOOD + GOOD[:-2] + b"ue")
+    assert info.examine(str(tmp_path / "log")).sentences == 2
+
+
+def test_hexadecimal_digits_can_be_exported_by_columns(tmp_path: Path, capsys: Any) -> None:
+    packet = bytes(PacketBuilder(0x80).add(4, struct.pack(">3f", 1, 2, 3)).build())
+    (tmp_path / "log.txt").write_text(packet.hex(" "))
+    assert run(capsys, "export", tmp_path / "log.txt", "-o", tmp_path / "out.parquet")[0] == 0
+    assert pq.read_table(tmp_path / "out.parquet").num_rows == 1
+    assert run(capsys, "export", tmp_path / "log.txt", "-o", tmp_path / "out.csv")[0] == 0
+    assert (tmp_path / "out.csv").read_text().endswith("\n1.0,2.0,3.0\n")

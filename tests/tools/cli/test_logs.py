@@ -1,0 +1,621 @@
+"""`mip info`, `cut` and `export`: what is in a log, parts of it, tables."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import random
+import resource
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, gnss_data, registry, sensor, shared
+from mip_tools.cli import outputs
+from mip_tools.errors import Failure
+from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
+
+NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    """A log with noise, a damaged packet and a packet that has no end."""
+    packets = Parser().feed(log())
+    damaged = bytearray(bytes(packets[7]))
+    damaged[-1] ^= 1
+    data = b"".join(map(bytes, packets[:10])) + NOISE + bytes(damaged) + b"".join(map(bytes, packets[10:]))
+    (tmp_path / "log.bin").write_bytes(data + b"\x75\x65\x80\x20\x04")
+    return tmp_path / "log.bin"
+
+
+def packets(data: bytes) -> list[Packet]:
+    parser = Parser()
+    return [*parser.feed(data), *parser.flush()]
+
+
+def stamped(seconds: float, week: int = 2296, flags: int = 3, *more: tuple[int, bytes]) -> bytes:
+    """A packet of sensor data with a time."""
+    builder = PacketBuilder(0x80).add(
+        0xD3, shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags)).encode()
+    )
+    builder.add(0x04, sensor.ScaledAccel((seconds, 0.1, -1.0)).encode())
+    for descriptor, data in more:
+        builder.add(descriptor, data)
+    return bytes(builder.build())
+
+
+# --------------------------------------------------------------------------- info
+
+
+def test_what_is_in_a_log(path: Path) -> None:
+    code, out, error = mip("info", path, extras=False)
+    assert (code, error) == (0, "")
+    lines = out.splitlines()
+    count = len(packets(path.read_bytes()))
+    damaged = len(bytes(Parser().feed(log())[7]))
+    assert lines[0] == f"{path}: {path.stat().st_size / 1000:.3g} kB, {count} packets"
+    assert lines[1].startswith("time: 2024-01-06T23:59:42.") and lines[1].endswith("0 s (gps clock, as UTC)")
+    assert lines[2].startswith(f"skipped: {len(NOISE) + damaged + 5} bytes (")
+    assert lines[2].endswith(" in 2 places: 2 damaged packets, 1 NMEA sentence")
+    table = {line.split("  ")[0].strip(): line.split()[-2:] for line in lines[4:] if line}
+    for number, fields in RATES.items():
+        (name,) = (key for key in table if f"(0x{number:02X})" in key)
+        fastest = min(decimation for _, decimation in fields)
+        base = 1000 if number < 0x90 else 5
+        assert float(table[name][1]) == pytest.approx(base / fastest, rel=0.01)
+
+
+def test_the_report_for_programs(path: Path) -> None:
+    code, out, _ = mip("info", "-", "--json", data=path.read_bytes())
+    assert code == 0
+    found = json.loads(out)
+    expected = Counter((p.set, raw.descriptor) for p in packets(path.read_bytes()) for raw in p)
+    assert {(f["set"], f["descriptor"]): f["count"] for f in found["fields"]} == expected
+    assert found["clock"] == "gps" and found["bytes"] == path.stat().st_size
+    assert found["skipped"]["damaged"] == 2 and found["skipped"]["nmea"] == 1
+    assert [s["name"] for s in found["sets"]] == ["sensor", "filter_data", "gnss_1"]
+
+
+def test_gaps_and_jumps(tmp_path: Path) -> None:
+    times = [i * 0.01 for i in range(500)]
+    del times[200:230], times[400]
+    times[300:] = [t - 1000.0 + 1000.5 for t in times[300:]]
+    back = [*times[:100], *(t - 0.25 for t in times[100:])]
+    (tmp_path / "gaps").write_bytes(b"".join(stamped(t) for t in times))
+    (tmp_path / "back").write_bytes(b"".join(stamped(t) for t in back))
+    lines = mip("info", tmp_path / "gaps")[1].splitlines()
+    assert float(lines[5].split()[-1]) == pytest.approx(100, rel=1e-3)
+    (at,) = (i for i, line in enumerate(lines) if line.startswith("sensor: 3 gaps, "))
+    assert lines[at].startswith("sensor: 3 gaps, 0.810 s are missing") and len(lines) == at + 4
+    size = len(stamped(0))
+    assert lines[at + 1] == f"  +0.31 s before 2024-01-06T23:59:44.300Z, byte {200 * size}"
+    lines = mip("info", tmp_path / "back")[1].splitlines()
+    assert "sensor: time goes back 1 time:" in lines
+    assert any(line.startswith("  -0.24 s before ") and line.endswith(f"byte {100 * size}") for line in lines)
+
+
+def test_times_that_are_not_valid_are_no_times(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(b"".join(stamped(i / 10, flags=0) for i in range(5)))
+    assert "time: no valid timestamps\n" in mip("info", tmp_path / "log")[1]
+    code, _, error = mip("cut", tmp_path / "log", "-o", tmp_path / "x", "--begin", "1")
+    assert code == 1 and error.endswith("has no valid times; use --packets or --bytes\n")
+
+
+def test_memory_is_bounded() -> None:
+    """A hundred megabytes in a pipe: noise that looks like packets, packets, zeros."""
+    block = b"\x75\x65\x01\xff" * 1000 + log(0.2) + bytes(1 << 20)
+    code = """
+import re, sys
+from mip_tools.__main__ import main
+code = main(["info", "-"])
+(most,) = re.findall(r"VmHWM:\\s+(\\d+) kB", open("/proc/self/status").read())
+sys.exit(code or (int(most) > 60_000 and f"{most} kB"))
+"""
+    with subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=ENVIRONMENT,
+    ) as process:
+        assert process.stdin is not None and process.stdout is not None and process.stderr is not None
+        for _ in range(100):
+            process.stdin.write(block)
+        process.stdin.close()
+        assert b"standard input: 105 MB, " in process.stdout.read()
+        assert process.stderr.read() == b"" and process.wait(PATIENCE) == 0
+
+
+# --------------------------------------------------------------------------- cut
+
+
+def test_without_noise(path: Path, tmp_path: Path) -> None:
+    assert mip("cut", path, "-o", tmp_path / "part", extras=False) == (0, "", "")
+    assert (tmp_path / "part").read_bytes() == log()
+    assert mip("cut", path, "-o", tmp_path / "all", "--keep-skipped")[0] == 0
+    assert (tmp_path / "all").read_bytes() == path.read_bytes()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["all", "log.bin", "part"]
+
+
+@pytest.mark.parametrize("by", ["--bytes", "--packets"])
+def test_parts_are_the_whole(by: str, path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rng = random.Random(3)
+    total = path.stat().st_size if by == "--bytes" else len(packets(path.read_bytes()))
+    cuts = sorted(rng.sample(range(total), 4))
+    parts = b""
+    for first, end in zip([0, *cuts], [*cuts, ""]):
+        out = path.with_name("part")
+        assert run(capsys, "cut", path, "-o", out, by, f"{first}:{end}")[0] == 0
+        parts += out.read_bytes()
+    assert parts == log()
+
+
+def test_by_time(path: Path, tmp_path: Path) -> None:
+    def cut(*words: str) -> list[Packet]:
+        assert mip("cut", path, "-o", tmp_path / "part", *words)[0] == 0
+        return packets((tmp_path / "part").read_bytes())
+
+    def seconds(found: list[Packet]) -> list[float]:
+        return [t.tow for p in found if p.set == 0x80 and (t := shared.GpsTimestamp.find(p))]
+
+    start = seconds(packets(log()))[0]
+    whole = cut("--begin", "1", "--end", "2.5")
+    assert seconds(whole)[0] == pytest.approx(start + 1) and seconds(whole)[-1] == pytest.approx(start + 2.49)
+    assert cut("--end", "1") + whole + cut("--begin", "0:02.5") == packets(log())
+    utc = cut("--begin", "2024-01-06T23:59:43", "--end", "2024-01-06T23:59:44Z")
+    assert seconds(utc)[0] == pytest.approx(1.0) and seconds(utc)[-1] == pytest.approx(1.99)
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "error"),
+    [
+        ("--begin 3 --end 1", 2, "--begin is after --end\n"),
+        ("--begin 2024-01-06T23:59:44 --end 2024-01-06T23:59:43", 2, "--begin is after --end\n"),
+        ("--packets 5:2", 2, "error: argument --packets: '5:2' begins after its end\n"),
+        ("--bytes 5:2", 2, "error: argument --bytes: '5:2' begins after its end\n"),
+        ("--begin 100", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--begin 1 --end 1", 1, "the part has no packets; log.bin lasts 3.99 s\n"),
+        ("--end 2000-01-01", 1, "log.bin begins at 2024-01-06T23:59:42.41Z and lasts 3.99 s\n"),
+        ("--packets 9999:", 1, "the part has no packets; log.bin has COUNT packets\n"),
+        ("--packets 0:1 --begin 2", 1, "the part has no packets; log.bin has 1 packet up to there\n"),
+        ("--only gnss_2", 1, "the part has no packets; log.bin has other fields there; `mip info` lists them\n"),
+    ],
+)
+def test_a_part_is_not_empty(
+    words: str,
+    code: int,
+    error: str,
+    path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """An older file of this name is kept."""
+    monkeypatch.chdir(path.parent)
+    Path("part").write_bytes(b"older")
+    found = run(capsys, "cut", "log.bin", "-o", "part", *words.split())
+    wanted = error.replace("COUNT", str(len(packets(path.read_bytes()))))
+    assert found[:2] == (code, "") and found[2].endswith(wanted) and "mip cut: " in found[2]
+    assert Path("part").read_bytes() == b"older"
+
+
+def test_fields_are_taken_out(path: Path) -> None:
+    code, _, _ = mip("cut", path, "-o", path.with_name("part"), "--only", "sensor", "--without", "shared,scaled_mag")
+    found = packets(path.with_name("part").read_bytes())
+    assert code == 0 and {(p.set, raw.descriptor) for p in found for raw in p} == {(0x80, 0x04), (0x80, 0x05)}
+    kept = [sensor.ScaledAccel.find(p) for p in found]
+    assert kept == [sensor.ScaledAccel.find(p) for p in packets(log()) if p.set == 0x80]
+
+
+def test_a_pipe_into_a_pipe(path: Path) -> None:
+    done = subprocess.run(
+        command("cut", "-", "-o", "-", "--begin", "1"), input=path.read_bytes(), capture_output=True, env=ENVIRONMENT
+    )
+    assert done.returncode == 0 and log().endswith(done.stdout) and len(done.stdout) > 1000
+
+
+# --------------------------------------------------------------------------- export
+
+
+def table(out: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(out)))
+
+
+def test_one_field_as_csv(path: Path) -> None:
+    code, out, error = mip("export", path, "sensor.scaled_accel", "-o", "-", extras=False)
+    assert (code, error) == (0, "")
+    expected = [
+        (a, t) for p in packets(log()) if (a := sensor.ScaledAccel.find(p)) and (t := shared.GpsTimestamp.find(p))
+    ]
+    rows = table(out)
+    assert len(rows) == len(expected) > 300
+    for row, (accel, _) in zip(rows, expected, strict=True):
+        assert list(row) == ["time", "time_own", "scaled_accel.x [g]", "scaled_accel.y [g]", "scaled_accel.z [g]"]
+        values = [float(row[f"scaled_accel.{axis} [g]"]) for axis in "xyz"]
+        assert sensor.ScaledAccel(tuple(values)).encode() == accel.encode()
+    assert (
+        rows[0]["time"] == f"2024-01-06T23:59:42.{round(expected[0][1].tow * 1e9):09d}Z" and rows[0]["time_own"] == "1"
+    )
+
+
+def test_all_fields_as_csv(path: Path) -> None:
+    """Each packet is a row; each value is where it belongs."""
+    rows = table(mip("export", path, "-o", "-")[1])
+    found = [p for p in packets(log())]
+    assert len(rows) == len(found)
+    for row, packet in zip(rows, found, strict=True):
+        position = filter_data.LlhPosition.find(packet)
+        said = row["filter_data.llh_position.latitude [deg]"]
+        assert said == ("" if position is None else repr(position.latitude))
+        receiver = gnss_data.GpsTime.find(packet)
+        assert row["gnss_1.gps_time.tow [s]"] == ("" if receiver is None else repr(receiver.tow))
+        flags = gnss_data.LlhPosition.find(packet)
+        assert row["gnss_1.llh_position.valid_flags"] == ("" if flags is None else str(int(flags.valid_flags)))
+    named = table(mip("export", path, "gnss_1.llh_position", "--names", "-o", "-")[1])
+    assert named[0]["valid_flags"].startswith("lat_lon|ellipsoid_height|")
+
+
+def test_times_of_a_set_without_its_own(tmp_path: Path) -> None:
+    bare = bytes(PacketBuilder(0x80).add(0x04, sensor.ScaledAccel((1.0, 2.0, 3.0)).encode()).build())
+    (tmp_path / "log").write_bytes(bare + stamped(5.5) + bare + stamped(6.5, flags=1) + bare)
+    for how, first in (
+        ("utc", "2024-01-06T23:59:47.500000000Z"),
+        ("unix", "1704585587.500000000"),
+        ("start", "0.000000000"),
+    ):
+        rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", how, "-o", "-")[1])
+        assert [(r["time"], r["time_own"]) for r in rows] == [
+            ("", "0"),
+            (first, "1"),
+            (first, "0"),
+            ("", "1"),
+            ("", "0"),
+        ]
+    rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", "none", "-o", "-")[1])
+    assert "time" not in rows[0]
+
+
+def test_values_that_are_not_valid(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(stamped(1.5) + stamped(2.5, flags=1) + stamped(3.5, flags=0))
+    words = ("export", tmp_path / "log", "gps_timestamp", "--time", "none", "-o", "-")
+    kept = [("1.5", "2296", "3"), ("2.5", "2296", "1"), ("3.5", "2296", "0")]
+    assert [tuple(r.values()) for r in table(mip(*words)[1])] == kept
+    masked = [("1.5", "2296", "3"), ("2.5", "", "1"), ("", "", "0")]
+    assert [tuple(r.values()) for r in table(mip(*words, "--invalid", "mask")[1])] == masked
+    assert [tuple(r.values()) for r in table(mip(*words, "--invalid", "drop")[1])] == kept[:1]
+    lines = mip(*words, "--invalid", "mask", "--format", "jsonl")[1].splitlines()
+    assert [json.loads(line)["values"] for line in lines][1] == {"tow": 2.5, "week_number": None, "valid_flags": 1}
+
+
+def test_align(path: Path) -> None:
+    words = ("export", path, "sensor.scaled_accel", "filter_data.llh_position", "--align")
+    rows = table(mip(*words, "sensor.scaled_accel", "-o", "-")[1])
+    last = ""
+    expected = []
+    for packet in packets(log()):
+        if position := filter_data.LlhPosition.find(packet):
+            last = repr(position.longitude)
+        if sensor.ScaledAccel.find(packet):
+            expected.append(last)
+    assert [r["filter_data.llh_position.longitude [deg]"] for r in rows] == expected and "" in expected
+    assert all(r["sensor.scaled_accel.x [g]"] for r in rows)
+
+
+def test_align_json_lines(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same rows and values as in CSV."""
+    names = ("sensor.scaled_accel", "filter_data.llh_position", "gnss_1.llh_position")
+    for more in ([], ["--invalid", "mask"], ["--invalid", "drop"]):
+        words = ("export", path, *names, "--align", names[1], *more, "-o", "-")
+        rows = table(run(capsys, *words)[1])
+        lines = [json.loads(line) for line in run(capsys, *words, "--format", "jsonl")[1].splitlines()]
+        assert len(rows) == len(lines) > 50
+        for row, line in zip(rows, lines, strict=True):
+            assert list(line) == ["time", "time_own", "packet", "offset", "fields"] and line["time"] == row["time"]
+            assert sorted(line["fields"]) == sorted(names) and line["fields"][names[1]]
+            for name, label in ((names[0], "scaled_accel.x [g]"), (names[1], "llh_position.longitude [deg]")):
+                held = line["fields"][name]
+                value = held and (held["scaled_accel"][0] if name == names[0] else held["longitude"])
+                assert ("" if value is None else repr(value)) == row[f"{name.partition('.')[0]}.{label}"]
+        assert any(line["fields"][names[2]] for line in lines) or more
+
+
+def test_align_with_a_field_that_is_not_exported(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("export", path, "sensor.scaled_accel", "--align", "sensor.scaled_gyro", "-o", "-")
+    error = "mip export: sensor.scaled_gyro is not exported; name it, too, to align with it\n"
+    assert run(capsys, *words) == (2, "", error)
+    assert run(capsys, *words, "--only", "sensor.scaled_gyro")[0] == 0
+
+
+def test_json_lines(path: Path) -> None:
+    out = mip("export", path, "-o", "-", "--format", "jsonl", "--names", extras=False)[1].splitlines()
+    expected = [(p, f) for p in packets(log()) for f in registry.decode_packet(p)]
+    assert len(out) == len(expected)
+    for line, (packet, field) in zip(out, expected, strict=True):
+        found = json.loads(line)
+        assert not isinstance(field, tuple)
+        assert found["field"] == field.name_in(packet.set) and list(found["values"]) == list(field.to_dict())
+        start = found["offset"]
+        assert path.read_bytes()[start : start + len(packet)] == bytes(packet)
+    first = json.loads(out[1])["values"]["scaled_accel"]
+    accel = sensor.ScaledAccel.find(expected[0][0])
+    assert accel is not None and sensor.ScaledAccel(tuple(first[a] for a in "xyz")).encode() == accel.encode()
+
+
+def test_a_file_for_each_field(path: Path, tmp_path: Path) -> None:
+    assert mip("export", path, "gnss_1", "sensor.scaled_mag", "-o", tmp_path / "t.csv", "--split") == (0, "", "")
+    names = sorted(p.name for p in tmp_path.glob("t.*"))
+    fields = ["gnss_1.gps_time", "gnss_1.llh_position", "sensor.scaled_mag", "shared.gps_timestamp"]
+    assert names == [f"t.{f}.csv" for f in fields]
+    assert len(table((tmp_path / "t.sensor.scaled_mag.csv").read_text())) == sum(
+        1 for p in packets(log()) if sensor.ScaledMag.find(p)
+    )
+
+
+def test_any_field_can_be_exported(tmp_path: Path) -> None:
+    """Lists, unions, structures and text have a place in both formats, whatever is in them."""
+    rng = random.Random(1)
+    data, count = b"", 0
+    for number, kind in registry.all_types():
+        for _ in range(3):
+            raw = bytes(rng.choice((0, 1, 2, rng.randrange(256))) for _ in range(rng.randrange(200)))
+            builder = PacketBuilder(number if 0 < number < 0xFF else 0x80).add(kind.DESCRIPTOR, raw)
+            packet = builder.build()
+            data += bytes(packet)
+            count += sum(not isinstance(f, tuple) for f in registry.decode_packet(packet))
+    (tmp_path / "log").write_bytes(data)
+    for form in ("csv", "jsonl"):
+        for named in ([], ["--names"]):
+            words = ["export", tmp_path / "log", *map(str, range(1, 255)), "-o", "-", "--format", form]
+            words += ["--invalid", "mask", *named]
+            code, out, error = mip(*words)
+            assert code == 0, error
+            if form == "jsonl":
+                assert len([json.loads(line) for line in out.splitlines()]) == count > 200
+            else:
+                rows = list(csv.reader(io.StringIO(out)))
+                assert len(rows) > 200 and len({len(row) for row in rows}) == 1
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet", "arrow"])
+def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Path, tmp_path: Path) -> None:
+    """A recording may have them, between the data that its user wants."""
+    answers = bytes(base.Ping().packet()) + bytes.fromhex("7565010404f10100d56a")
+    plain, mixed = tmp_path / "plain.bin", tmp_path / "mixed.bin"
+    plain.write_bytes(log(0.5))
+    mixed.write_bytes(log(0.5) + answers)
+    out = [tmp_path / f"{x.stem}.{form}" for x in (plain, mixed)]
+    for source, target in zip((plain, mixed), out):
+        assert mip("export", source, "-o", target) == (0, "", "")
+    if form != "npz":  # a zip file has the time in it
+        assert out[0].read_bytes() == out[1].read_bytes()
+    for names in (["acknowledge"], ["base"], ["--only", "0x01"]):
+        assert mip("export", mixed, *names, "-o", out[1]) == (0, "", ""), names
+        assert out[1].read_bytes() != out[0].read_bytes()
+    mixed.write_bytes(answers)
+    what = "no data (commands and answers must be named); `mip info` lists the fields that it has"
+    assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
+
+
+# --------------------------------------------------------------------------- whole files, or none
+
+
+def test_nothing_half_written(path: Path, tmp_path: Path) -> None:
+    target = tmp_path / "out.csv"
+    target.write_text("mine")
+    big = tmp_path / "big"
+    big.write_bytes(log() * 200)
+    with running("export", big, "-o", target) as process:
+        end = time.monotonic() + PATIENCE
+        while not any(p.stat().st_size for p in tmp_path.glob("out.csv.*.part")):
+            assert time.monotonic() < end and process.poll() is None
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        out, error = process.communicate(timeout=PATIENCE)
+        assert (process.returncode, out, error) == (130, b"", b"")
+    assert target.read_text() == "mine" and not list(tmp_path.glob("*.part"))
+
+
+@pytest.mark.parametrize("name", ["log.bin", "./log.bin", "link", "hard"])
+def test_no_log_is_replaced_by_what_is_made_of_it(name: str, path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = path.read_bytes()
+    path.with_name("link").symlink_to("log.bin")
+    path.with_name("hard").hardlink_to(path)
+    out = f"{path.parent}/{name}"
+    for words in (["cut"], ["cut", "--begin", "1"], ["export", "--format", "csv"], ["export", "--format", "jsonl"]):
+        for source, output in ((path, out), (out, path)):
+            code, said, error = run(capsys, words[0], source, "-o", output, *words[1:])
+            wanted = f"mip {words[0]}: {output} is the log itself; name another file\n"
+            assert (code, said, error) == (2, "", wanted)
+    assert path.read_bytes() == before
+
+
+def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = path.read_bytes()
+    with path.open("rb") as file:
+        done = subprocess.run(command("cut", "-", "-o", path), stdin=file, capture_output=True, env=ENVIRONMENT)
+    assert done.returncode == 2 and b"is the log itself" in done.stderr
+    split = path.with_name("x.gnss_1.llh_position.csv")
+    path.rename(split)
+    code, _, error = run(capsys, "export", split, "gnss_1", "--split", "-o", path.with_name("x.csv"))
+    assert code == 2 and "is the log itself" in error and sorted(path.parent.iterdir()) == [split]
+    words = ("simulate", "3dm-gx5-15", "--duration", 1, "--motion", f"replay:file={split}", "--fault-log", split)
+    code, _, error = run(capsys, *words)
+    assert code == 2 and "is the log itself" in error
+    assert split.read_bytes() == before
+    assert run(capsys, "export", split, "-o", "/dev/null", "--format", "csv")[0] == 0
+
+
+def test_standard_output_may_be_the_log(path: Path) -> None:
+    before = path.read_bytes()
+    with path.open("ab") as file:
+        done = subprocess.run(command("cut", path, "-o", "-"), stdout=file, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    assert done.returncode == 2 and b"standard output is the log itself" in done.stderr
+    assert path.read_bytes() == before
+
+
+def test_what_a_killed_program_kept_is_not_touched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers of processes repeat: in a container, after a power failure."""
+    monkeypatch.setattr(os, "getpid", lambda: 1)
+    kept = tmp_path / "log.bin.1.part"
+    kept.write_bytes(b"kept")
+    with outputs.whole(str(tmp_path / "log.bin"), keep=True) as file:
+        file.write(b"new")
+    assert (kept.read_bytes(), (tmp_path / "log.bin").read_bytes()) == (b"kept", b"new")
+
+
+def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    with (
+        pytest.raises(Failure, match="has appeared meanwhile; the bytes are in "),
+        outputs.whole(str(path), keep=True, replace=False) as file,
+    ):
+        file.write(b"mine")
+        path.write_bytes(b"theirs")
+    (part,) = tmp_path.glob("*.part")
+    assert (part.read_bytes(), path.read_bytes()) == (b"mine", b"theirs")
+
+
+@pytest.mark.parametrize("keep", [True, False])
+def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
+    """Each time in another line of what opens, closes and names the file: it is whole or not there, and no part is."""
+    path = tmp_path / "log.bin"
+    left = at = 0
+
+    def interrupt(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal left
+        if not frame.f_code.co_filename.endswith(("outputs.py", "contextlib.py", "signals.py")):
+            return None
+        left -= 1
+        if left == 0:
+            signal.raise_signal(signal.SIGINT)
+        return interrupt
+
+    def write() -> None:
+        with outputs.whole(str(path), keep=keep) as file:
+            file.write(b"all")
+
+    before = sys.gettrace()
+    while left <= 0:
+        at += 1
+        left = at
+        sys.settrace(interrupt)
+        try:
+            write()
+        except KeyboardInterrupt:  # not `suppress`, which would be interrupted, too
+            pass
+        finally:
+            sys.settrace(before)
+        assert list(tmp_path.iterdir()) == [path] * path.exists(), at
+        if path.exists():
+            assert path.read_bytes() == b"all", at
+            path.unlink()
+    assert at > 50
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_names_of_any_length(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("x" * 251 + ".csv", "ä" * 125 + ".csv"):
+        assert run(capsys, "export", path, "-o", path.with_name(name)) == (0, "", "")
+        assert path.with_name(name).stat().st_size > 1000
+    for name, reason in (
+        ("x" * 252 + ".csv", "File name too long"),
+        ("log.bin/x.csv", "Not a directory"),
+        ("no/x.csv", "No such file or directory"),
+    ):
+        out = f"{path.parent}/{name}"
+        assert run(capsys, "export", path, "-o", out) == (1, "", f"mip export: {out} cannot be written: {reason}\n")
+    assert run(capsys, "export", path, "-o", "") == (2, "", "mip export: the name of the output is empty\n")
+    assert "is a folder" in run(capsys, "export", path, "--format", "csv", "-o", f"{path.parent}/new/")[2]
+    assert len(list(path.parent.iterdir())) == 3
+
+
+def test_an_output_that_is_a_link_or_has_permissions(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it leads to is written, though it is not there yet; the permissions of an older file stay."""
+    (path.parent / "folder").mkdir()
+    target, link = path.parent / "folder/real.csv", path.with_name("link.csv")
+    link.symlink_to("folder/real.csv")
+    for _ in range(2):
+        assert run(capsys, "export", path, "-o", link) == (0, "", "")
+        assert link.is_symlink() and target.stat().st_size > 1000
+        target.write_text("older")
+        target.chmod(0o600)
+    assert run(capsys, "export", path, "-o", link) == (0, "", "")
+    assert target.stat().st_mode & 0o777 == 0o600 and target.stat().st_size > 1000
+    assert [p.name for p in target.parent.iterdir()] == ["real.csv"]
+    loop = path.with_name("loop.csv")
+    loop.symlink_to("loop.csv")
+    code, _, error = run(capsys, "export", path, "-o", loop)
+    assert code == 1 and "cannot be written: Too many levels of symbolic links" in error
+
+
+def test_the_name_of_standard_output(path: Path) -> None:
+    """What is in the file already is kept."""
+    out = path.with_name("all.csv")
+    out.write_bytes(b"before\n")
+    link = path.with_name("stdout.csv")
+    link.symlink_to("/dev/stdout")
+    words = command("export", path, "sensor.scaled_accel", "-o", link)
+    with out.open("ab") as file:
+        assert subprocess.run(words, stdout=file, env=ENVIRONMENT).returncode == 0
+    piped = subprocess.run(words, stdout=subprocess.PIPE, env=ENVIRONMENT).stdout
+    assert out.read_bytes() == b"before\n" + piped and len(piped) > 1000
+    assert link.is_symlink()
+
+
+def test_a_full_disk(path: Path, tmp_path: Path) -> None:
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    for words in (["export", path, "-o", tmp_path / "o.csv"], ["cut", path, "-o", tmp_path / "o.bin"]):
+        done = subprocess.run(command(*words), preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
+        assert done.returncode == 1 and b"cannot be written: File too large" in done.stderr
+        assert done.stderr.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
+
+
+def test_an_output_that_takes_nothing(path: Path, tmp_path: Path) -> None:
+    """One line, and no traceback."""
+    for words in (["fields"], ["info", path], ["cut", path, "-o", "-"]):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run(command(*words), stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT)
+        error = f"mip {words[0]}: standard output cannot be written: No space left on device\n"
+        assert (done.returncode, done.stderr.decode()) == (1, error), words
+    done = subprocess.run(command("cut", path, "-o", "/dev/full"), stderr=subprocess.PIPE, env=ENVIRONMENT)
+    assert (done.returncode, done.stderr) == (1, b"mip cut: /dev/full cannot be written: No space left on device\n")
+
+
+def test_streams_that_are_closed_or_plain(path: Path) -> None:
+    shell = " ".join(map(shlex.quote, command("info", "-")))
+    done = subprocess.run(["sh", "-c", f"{shell} <&-"], capture_output=True, env=ENVIRONMENT)
+    assert b"Traceback" not in done.stderr
+    plain = {**ENVIRONMENT, "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(command("dump", path, "--tree"), capture_output=True, env=plain)
+    assert done.returncode == 0 and done.stderr == b""
+
+
+@pytest.mark.parametrize("first", [b"e", b"0", b" "])
+def test_a_pipe_that_gives_one_byte_first(first: bytes, path: Path) -> None:
+    process = subprocess.Popen(
+        command("info", "-"), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+    )
+    assert process.stdin is not None
+    process.stdin.write(first)
+    process.stdin.flush()
+    time.sleep(0.3)  # it has been read then; if not, the test sees nothing
+    out, error = process.communicate(path.read_bytes(), timeout=PATIENCE)
+    assert (process.returncode, error) == (0, b"") and b"packets" in out
+
+
+def test_sentences_are_not_cut_where_the_reader_is(tmp_path: Path) -> None:
+    log = tmp_path / "nmea.log"
+    log.write_bytes(b"$GPZDA,,,,,,*48\r\n" * 16_000)
+    code, out, _ = mip("info", log, "--json")
+    assert code == 0 and "16000" in out

@@ -1,0 +1,466 @@
+"""`mip send`, `record` and `monitor`: at a virtual device, on TCP and a terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import re
+import resource
+import select
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import pytest
+from mip_protocol import Parser, base, mip_3dm, registry, types
+from mip_protocol.field import Command, Structure
+from mip_protocol.parameter import Parameter
+from mip_tools.cli import ports, typed
+from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, run, running, simulated
+
+
+@pytest.fixture(scope="module")
+def place() -> Iterator[str]:
+    """A device that streams accelerations at 100 Hz."""
+    with simulated() as found:
+        words = ("3dm.message_format", "write", "sensor", "gps_timestamp_shared:10,scaled_accel:10")
+        assert mip("send", found, *words)[0] == 2  # no such field
+        assert mip("send", found, *words[:3], "0xD3:10,scaled_accel:10") == (0, "acknowledged\n", "")
+        assert mip("send", found, "3dm.data_stream_control", "write", "sensor", "on")[0] == 0
+        yield found
+
+
+# --------------------------------------------------------------------------- send
+
+
+def test_an_answer(place: str) -> None:
+    code, out, error = mip("send", place, "base.get_device_info", extras=False)
+    assert (code, error) == (0, "") and "  model_name = '3DM-CV7-GNSS/INS'\n" in out
+    assert mip("send", f"socket://{place}", "base.ping") == (0, "acknowledged\n", "")
+    code, out, _ = mip("send", place, "message_format", "read", "descriptor_set=sensor", "--json")
+    assert code == 0
+    rates = [{"descriptor": 0xD3, "decimation": 10}, {"descriptor": 4, "decimation": 10}]
+    assert json.loads(out) == {
+        "command": "3dm.message_format",
+        "outcome": "acknowledged",
+        "response": {"descriptor_set": 0x80, "descriptors": rates},
+    }
+
+
+def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
+    refused = "mip send: the device refused base.comm_speed: invalid_parameter (3)\n"
+    assert mip("send", place, "base.comm_speed", "read", "9") == (3, "", refused)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        code, out, error = mip("send", where, "base.ping", "--timeout", "0.1")
+    assert (code, out) == (
+        4,
+        "",
+    ) and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
+    code, _, error = mip("send", where, "base.ping")
+    assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
+
+
+def test_a_serial_port_needs_an_extra() -> None:
+    code, out, error = mip("send", "/dev/tty", "base.ping", extras=False)
+    assert (code, out) == (1, "")
+    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install pyserial\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "made"),
+    [
+        (["base.ping"], base.Ping()),
+        (["ping"], base.Ping()),
+        (
+            ["3dm.message_format", "write", "sensor", "scaled_accel:10,0x05:0x14"],
+            mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10), types.DescriptorRate(5, 20))),
+        ),
+        (
+            ["3dm.message_format", "write", "0x80", '[{"descriptor": 4, "decimation": 10}]'],
+            mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10),)),
+        ),
+        (["3dm.message_format", "READ", "descriptor_set=128"], mip_3dm.MessageFormat.read(0x80)),
+        (["3dm.data_stream_control", "write", "128", "off"], mip_3dm.DataStreamControl.write(0x80, False)),
+        (
+            ["3dm.pps_source_control", "write", "receiver_1"],
+            mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(1)),
+        ),
+        (["3dm.pps_source_control", "write", "0xF0"], mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(0xF0))),
+    ],
+)
+def test_bytes_without_a_device(words: list[str], made: Command, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, "send", "--hex", *words) == (0, bytes(made.packet()).hex(" ") + "\n", "")
+
+
+def test_every_command_and_function_can_be_typed() -> None:
+    """What `fields` says a command takes is what `send` takes, for values that a decoded one has."""
+    count = 0
+    for _, kind in registry.all_types():
+        if not issubclass(kind, Command):
+            continue
+        for function in typed.functions(kind) or [""]:
+            wanted = [name for name in typed.wanted(kind, function) if not name.startswith("[")]
+            words = [f"{name}={_typed(kind, name)}" for name in wanted]
+            made = typed.command(kind, [function, *words] if function else words)
+            again = kind.decode(made.encode())
+            assert again == made, (kind.NAME, function)
+            count += 1
+    assert count > 400
+
+
+def _typed(kind: type[Command], name: str) -> str:
+    """Some value of a parameter, as a person types it: 1 for all numbers."""
+    value = _value(kind.INFO[name])
+    if isinstance(value, list) and not any(isinstance(v, (list, dict)) for v in value):
+        return ",".join(map(str, value))
+    return json.dumps(value) if isinstance(value, (list, dict)) else str(value)
+
+
+def _value(p: Parameter) -> Any:
+    if p.kind == "switch":
+        case = p.cases[1]
+        assert case is not None
+        return _value(case)
+    one: Any = "A" if p.scalar == "char" else 1
+    if isinstance(p.type, type) and issubclass(p.type, Structure):
+        one = {m.name: _value(m) for m in p.type.INFO.parameters if not m.derived}
+    if p.elements:
+        one = [1] * len(p.elements)
+    if p.kind == "text" or p.length is None:
+        return one
+    return [one] * (p.length if isinstance(p.length, int) else 1)
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["base.pink"], "'base.pink' is not a field; did you mean base.ping"),
+        (["sensor.scaled_accel"], "sensor.scaled_accel is not a command; `mip fields --search "),
+        (
+            ["3dm.message_format"],
+            "3dm.message_format takes a function, and it is missing: write, read, save, load, default",
+        ),
+        (["3dm.message_format", "wirte"], "3dm.message_format takes a function, not 'wirte': write, "),
+        (
+            ["3dm.message_format", "read"],
+            "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says ",
+        ),
+        (
+            ["3dm.message_format", "read", "1", "2"],
+            "'2' is one value too many; 3dm.message_format takes descriptor_set",
+        ),
+        (
+            ["3dm.message_format", "read", "set=1"],
+            "3dm.message_format has no parameter 'set' here; it has descriptor_set",
+        ),
+        (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
+        (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is not a whole number"),
+        (
+            ["3dm.message_format", "write", "sensor", "scaled_acel:7"],
+            "descriptor: 'scaled_acel' is neither a number nor a field; did you mean sensor.scaled_accel",
+        ),
+        (
+            ["3dm.message_format", "read", "sensr"],
+            "descriptor_set: 'sensr' is neither a number nor a field; did you mean sensor?",
+        ),
+        (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
+        (
+            ["3dm.message_format", "write", "1", "4:5:6"],
+            "descriptors: '4:5:6' has too many parts; write descriptor:decimation",
+        ),
+        (
+            ["3dm.message_format", "write", "1", "4"],
+            "descriptors has parts that are missing; write descriptor:decimation",
+        ),
+        (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is not JSON: "),
+        (["3dm.message_format", "write", "1", '[{"x": 1}]'], "descriptors has no 'x'; it has descriptor, decimation"),
+        (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is not a value for it"),
+        (["3dm.data_stream_control", "write", "1", "maybe"], "enable: 'maybe' is neither true nor false"),
+        (["3dm.pps_source_control", "write", "moon"], "source: 'moon' is not one of disabled, "),
+    ],
+)
+def test_errors_of_commands(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, said = run(capsys, "send", "--hex", *words)
+    assert (code, out) == (2, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
+
+
+# --------------------------------------------------------------------------- record
+
+
+def test_a_recording(place: str, tmp_path: Path) -> None:
+    out = tmp_path / "log"
+    assert mip("record", place, "-o", out, "--packets", "20", extras=False) == (0, "", "")
+    parser = Parser()
+    assert len(parser.feed(out.read_bytes())) == 20 and parser.pending == 0
+    kept = out.read_bytes()
+    error = f"mip record: {out} exists; name another file, or replace it with --force\n"
+    assert mip("record", place, "-o", out, "--duration", "0.3") == (1, "", error) and out.read_bytes() == kept
+    assert mip("record", place, "-o", out, "--duration", "0.3", "--force") == (0, "", "")
+    assert 5 < len(Parser().feed(out.read_bytes())) < 60
+    assert [p.name for p in tmp_path.iterdir()] == ["log"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_recording_ends_by_a_signal(number: int, place: str, tmp_path: Path) -> None:
+    with running("record", place, "-o", tmp_path / "log") as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("log.*.part")), process)
+        process.send_signal(number)
+        assert process.communicate(timeout=PATIENCE) == (b"", b"") and process.returncode == 0
+    assert [p.name for p in tmp_path.iterdir()] == ["log"] and Parser().feed((tmp_path / "log").read_bytes())
+
+
+def test_a_recording_of_nothing(tmp_path: Path) -> None:
+    """Nothing is written, and an older recording is kept."""
+    out = tmp_path / "log"
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        words = ("record", where, "-o", out, "--duration", "0.2", "--force")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing\n")
+        assert list(tmp_path.iterdir()) == []
+        out.write_bytes(b"older")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing; {out} is as it was\n")
+    assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("log", b"older")]
+
+
+def test_a_recording_that_cannot_get_its_name(place: str, tmp_path: Path) -> None:
+    out = tmp_path / "log"
+    with running("record", place, "-o", out) as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("log.*.part")), process)
+        out.mkdir()
+        process.send_signal(signal.SIGINT)
+        error = process.communicate(timeout=PATIENCE)[1].decode()
+    (part,) = tmp_path.glob("log.*.part")
+    assert process.returncode == 1 and Parser().feed(part.read_bytes())
+    assert error == f"mip record: {out} cannot be written: Is a directory; the bytes are in {part}\n"
+
+
+def wait_for(condition: object, process: subprocess.Popen[bytes]) -> None:
+    end = time.monotonic() + PATIENCE
+    assert callable(condition)
+    while not condition():
+        assert time.monotonic() < end and process.poll() is None
+        time.sleep(0.01)
+
+
+def test_a_port_that_closes(tmp_path: Path) -> None:
+    packet = bytes(base.Ping().packet())
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = f"127.0.0.1:{server.getsockname()[1]}"
+
+        def serve() -> None:
+            client, _ = server.accept()
+            client.sendall(packet * 3)
+            client.close()
+
+        thread = Thread(target=serve)
+        thread.start()
+        code, out, error = mip("record", where, "-o", tmp_path / "log")
+        thread.join(PATIENCE)
+    assert (code, out) == (1, "") and error == f"mip record: {where} was closed after 24 B, which are kept\n"
+    assert (tmp_path / "log").read_bytes() == packet * 3
+
+
+@pytest.mark.parametrize("name", ["dump", "monitor"])
+def test_what_came_before_a_port_was_closed_is_shown(name: str) -> None:
+    """With the packet that only the end of the bytes completes: a longer one seemed to have begun."""
+    packet = bytes(base.Ping().packet())
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = f"127.0.0.1:{server.getsockname()[1]}"
+
+        def serve() -> None:
+            client, _ = server.accept()
+            client.sendall(packet + b"\x75\x65\x01\x40" + packet)
+            client.close()
+
+        thread = Thread(target=serve)
+        thread.start()
+        code, out, error = mip(name, where)
+        thread.join(PATIENCE)
+    assert (code, error) == (1, f"mip {name}: {where} was closed\n")
+    assert out.count("ping") == 2 if name == "dump" else "2 packets, 4 bytes skipped" in out
+
+
+def test_a_recording_into_a_pipe(place: str) -> None:
+    with (
+        subprocess.Popen(
+            command("record", place, "-o", "-"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+        ) as first,
+        subprocess.Popen(
+            command("dump", "-", "--count", "3"), stdin=first.stdout, stdout=subprocess.PIPE, env=ENVIRONMENT
+        ) as second,
+    ):
+        assert first.stdout is not None and first.stderr is not None and second.stdout is not None
+        first.stdout.close()
+        assert len(second.stdout.read().splitlines()) == 3
+        assert first.stderr.read() == b"" and first.wait(PATIENCE) == 141
+
+
+# --------------------------------------------------------------------------- monitor
+
+
+def test_values_in_a_pipe(place: str) -> None:
+    code, out, error = mip("monitor", place, "sensor.scaled_accel", "--duration", "0.8", "--rate", "5")
+    assert (code, error) == (0, "")
+    shown = out.strip().split("\n\n")
+    assert 2 <= len(shown) <= 6 and "timestamp" not in out and "\x1b" not in out
+    rate = re.search(r"^  scaled_accel +(\S+) Hz$", shown[-1], re.M)
+    assert rate is not None and 30 < float(rate[1]) < 300
+    assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
+
+
+def test_values_on_a_terminal(place: str) -> None:
+    master, slave = pty.openpty()
+    with subprocess.Popen(
+        command("monitor", place), stdin=slave, stdout=slave, stderr=slave, env={**ENVIRONMENT, "TERM": "xterm"}
+    ) as process:
+        os.close(slave)
+        seen = b""
+        while b"Hz" not in seen:
+            assert select.select([master], [], [], PATIENCE)[0]
+            seen += os.read(master, 4096)
+        process.send_signal(signal.SIGINT)
+        try:
+            while select.select([master], [], [], PATIENCE)[0] and (more := os.read(master, 4096)):
+                seen += more
+        except OSError:  # the other end is closed
+            pass
+        assert process.wait(PATIENCE) == 0
+    os.close(master)
+    assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
+    _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
+    assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
+
+
+def test_a_device_on_a_terminal(tmp_path: Path) -> None:
+    """The same at a serial port, as far as a pseudo-terminal is one."""
+    with running("simulate", DEVICE, "--pty", tmp_path / "mip") as process:
+        assert process.stdout is not None and process.stdout.readline()
+        code, out, error = mip("send", tmp_path / "mip", "base.get_device_info", "--baud", "460800")
+        assert (code, error) == (0, "") and "3DM-CV7" in out
+        code, out, error = mip("send", tmp_path / "mip", "base.ping", "--baud", "auto")
+        assert (code, out) == (0, "acknowledged\n"), error
+
+
+def test_a_recording_is_kept_when_the_disk_is_full(place: str, tmp_path: Path) -> None:
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2_000, 2_000))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    target = tmp_path / "log.bin"
+    words = command("record", place, "-o", target, "--duration", 20)
+    done = subprocess.run(words, preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
+    assert done.returncode == 1 and b"what came before is kept" in done.stderr
+    assert 1_000 < target.stat().st_size <= 2_000 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
+
+
+def test_a_recording_goes_on_when_hang_ups_are_ignored(place: str, tmp_path: Path) -> None:
+    target = tmp_path / "log.bin"
+    ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)}
+    with running("record", place, "-o", target, "--packets", 150, **ignoring) as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("*.part")), process)
+        process.send_signal(signal.SIGHUP)
+        process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0
+    assert len(Parser().feed(target.read_bytes())) == 150
+
+
+def test_lists_that_begin_with_a_negative_number() -> None:
+    assert mip("send", "--hex", "3dm.accel_bias", "write", "-1,0,0")[0] == 0
+
+
+@pytest.mark.parametrize("values", ["-inf,0,0", "-INF,0,0", "-nan,0,0", "-Infinity,0,0", "-.5,0,0"])
+def test_lists_that_begin_with_another_negative_number(values: str, capsys: pytest.CaptureFixture[str]) -> None:
+    named = run(capsys, "send", "--hex", "3dm.accel_bias", "write", f"bias={values}")
+    assert named[0] == 0
+    assert run(capsys, "send", "--hex", "3dm.accel_bias", "write", values) == named
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["PORT", "base.ping", "--timeout", "-1"], "'-1' is not a time in seconds; use a number above 0"),
+        (["PORT", "base.ping", "--baud", "-1"], "'-1' is not a baud rate; use a number or `auto`"),
+        (["PORT", "base.ping", "--device", "-1"], "'-1' is "),
+        (["--hex", "-1"], "'-1' is not a field"),
+        (["-1", "base.ping"], "mip send: -1 cannot be opened"),
+    ],
+)
+def test_messages_quote_words_as_they_were_given(
+    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, said = run(capsys, "send", *words)
+    assert code and not out and error in said and " -1'" not in said, said
+
+
+def test_a_terminal_is_as_before_if_the_port_cannot_be_opened() -> None:
+    main, side = pty.openpty()
+    done = subprocess.run(command("monitor", "/dev/nothing-here"), stdout=side, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    os.close(side)
+    shown = b""
+    while select.select([main], [], [], 0.2)[0]:
+        try:
+            shown += os.read(main, 4096)
+        except OSError:
+            break
+    os.close(main)
+    assert done.returncode == 1 and shown.count(b"\x1b[?1049h") == shown.count(b"\x1b[?1049l")
+
+
+@pytest.mark.parametrize("term", ["xterm", "dumb"])
+def test_progress_only_where_a_line_can_be_replaced(term: str, place: str, tmp_path: Path) -> None:
+    main, side = pty.openpty()
+    done = subprocess.run(
+        command("record", place, "-o", tmp_path / "log", "--duration", "1.2"),
+        stdout=subprocess.DEVNULL, stderr=side, env={**ENVIRONMENT, "TERM": term},
+    )  # fmt: skip
+    shown = os.read(main, 65536) if select.select([main], [], [], PATIENCE)[0] else b""
+    os.close(side)
+    os.close(main)
+    assert done.returncode == 0 and shown.endswith(b"bytes skipped\r\n")
+    assert (b"\x1b" in shown) == (term == "xterm")
+
+
+def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A serial port takes its time, above all with `--baud auto`."""
+    now = 0.0
+
+    class Device:
+        closed = False
+
+    @contextmanager
+    def opened(name: str, options: Any, **more: Any) -> Iterator[Any]:
+        nonlocal now
+        now += 10
+        more["on_bytes"](b"first")
+        yield Device
+
+    monkeypatch.setattr(ports, "opened", opened)
+    monkeypatch.setattr(time, "monotonic", lambda: now)
+    found = ports.received("port", None, 1.0)  # type: ignore[arg-type]
+    assert next(found) == b"first"
+    now += 2
+    assert list(found) == []
+
+
+def test_files_and_ports_are_not_confused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "log.bin").write_bytes(log(0.1))
+    for words in (["send", "log.bin", "base.ping"], ["record", "log.bin", "-o", "other.bin"]):
+        assert run(capsys, *words) == (1, "", f"mip {words[0]}: log.bin is a file, not a port\n")
+    for port in ("localhost:1", "/dev/zero", "COM3", "socket://host:1"):
+        for name, *words in (["info", port], ["export", port, "-o", "x.csv"], ["cut", port, "-o", "x.bin"]):
+            error = f"mip {name}: {port} is a port, not a log; `mip record` writes a log of what it sends\n"
+            assert run(capsys, name, *words) == (1, "", error)
+    error = "mip send: /dev/ttyNONE cannot be opened: No such file or directory\n"
+    assert run(capsys, "send", "/dev/ttyNONE", "base.ping") == (1, "", error)
+    assert [p.name for p in tmp_path.iterdir()] == ["log.bin"]

@@ -1,0 +1,253 @@
+"""The program: help, errors, completion, the specification, bandwidths."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from mip_protocol import registry
+from mip_tools import __main__
+from program import DEVICE, ENVIRONMENT, log, mip, run
+
+
+@pytest.mark.parametrize("name", __main__.COMMANDS)
+def test_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, error = run(capsys, name, "--help")
+    text = __main__.COMMANDS[name][1]
+    assert (code, error) == (0, "") and out.startswith("usage: mip ") and text[1:] in " ".join(out.split())
+    assert name == "simulate" or all(len(line) <= 100 for line in out.splitlines()), max(out.splitlines(), key=len)
+    assert name == "completion" or "examples:" in out
+    used = set(re.findall(r"(?<=\s)--?[a-z][a-z-]*", out.partition("examples:")[2]))
+    assert used <= set(re.findall(r"--?[a-z][a-z-]*", out.partition("examples:")[0])) | {"--help"}
+
+
+def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) -> None:
+    for words in (["dumb"], ["dump"], ["dump", "--speed"], ["cut", "x", "-o", "y", "--bytes", "a"], ["send"]):
+        code, out, error = run(capsys, *words)
+        assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
+    for words, required in (("send", "PORT"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
+        assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
+    assert run(capsys, "send", "PORT") == (2, "", "mip send: which command? `mip fields` lists them\n")
+    code, out, error = run(capsys, "completion", "tcsh")
+    assert code == 2 and error.endswith("argument SHELL: 'tcsh' is not one of bash, zsh, fish\n")
+    assert "WORD" not in run(capsys, "completion", "--help")[1]
+    _, _, error = run(capsys, "dump", "x", "--fast")
+    assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
+
+
+@pytest.mark.parametrize(
+    ("words", "same"),
+    [
+        ("export LOG --format csv -o - sensor.scaled_accel", "export LOG sensor.scaled_accel -o - --format csv"),
+        (
+            "export LOG sensor --only 0x82 -o - --time none filter_data",
+            "export LOG sensor filter_data 0x82 -o - --time none",
+        ),
+        ("send 3dm.accel_bias --hex write -1,0,0", "send --hex 3dm.accel_bias write -1,0,0"),
+        ("dump LOG --count 3 LOG", "dump LOG LOG --count 3"),
+        ("dump --count 1 -- LOG", "dump LOG --count 1"),
+        ("bandwidth sensor.scaled_accel@9 --baud 9600 gnss_1.llh_position@1", None),
+    ],
+)
+def test_options_may_stand_between_the_words(
+    words: str, same: str | None, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("LOG").write_bytes(log(0.3))
+    code, out, error = run(capsys, *words.split())
+    assert (code, error) == (0, "") and out
+    if same is not None:
+        assert out.splitlines() == run(capsys, *same.split())[1].splitlines()
+    name, *others = words.split()
+    code, _, error = run(capsys, name, "--fast", *others)
+    assert code == 2 and error.endswith("--fast is not recognized; see --help\n")
+
+
+#: What is wrong with the command line itself, not with files, and not with what was found.
+MISUSE = (
+    "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|what format|several|"
+    "is unknown|is in every data set"
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["dump", "NOWHERE"], "dump: NOWHERE cannot be read: No such file or directory"),
+        (["dump", "FOLDER"], "dump: FOLDER cannot be read: Is a directory"),
+        (["dump", "EMPTY"], "dump: no packet in 0 bytes: packets begin with 75 65"),
+        (["dump", "ODD"], "dump: ODD has an odd number of hexadecimal digits; two make a byte"),
+        (["dump", "LOG", "--only", "sensr"], "dump: 'sensr' is not a field; "),
+        (["dump", "LOG", "--only", "0x80:256"], "dump: '0x80:256' has a number above 255; use 0 to 255"),
+        (["dump", "LOG", "--device", "gx5"], "dump: 'gx5' is not a device; "),
+        (["info", "NOWHERE"], "info: NOWHERE cannot be read: No such file or directory"),
+        (["cut", "LOG", "-o", "FOLDER"], "cut: FOLDER is a folder; name a file in it"),
+        (["cut", "LOG", "-o", "NOWHERE/x"], "cut: NOWHERE/x cannot be written: No such file or directory"),
+        (["cut", "NOWHERE", "-o", "OUT"], "cut: NOWHERE cannot be read: No such file or directory"),
+        (
+            ["export", "LOG", "-o", "OUT.xls"],
+            "export: what format is 'xls'? use --format csv, jsonl, npz, parquet, arrow",
+        ),
+        (
+            ["export", "LOG", "gnss_2", "-o", "OUT"],
+            "export: LOG has none of these fields; `mip info` lists the fields that it has",
+        ),
+        (["export", "LOG", "-o", "-", "--split"], "export: --split writes several files; name one with -o, "),
+        (
+            ["export", "LOG", "-o", "OUT", "--align", "gnss_2.utc_time"],
+            "export: LOG has no gnss_2.utc_time to align with",
+        ),
+        (
+            ["export", "LOG", "-o", "OUT", "--align", "gps_timestamp"],
+            "export: 'gps_timestamp' is in several sets; write ",
+        ),
+        (["fields", "sensor.x"], "fields: 'sensor.x' is not a field; "),
+        (["fields", "nope"], "fields: 'nope' is not a field; `mip fields` lists the sets"),
+        (["fields", "temperature"], "fields: 'temperature' is not a field; "),
+        (["fields", "sensor", "--search", "banana"], "fields: no field matches all words; use fewer"),
+        (
+            ["fields", "--search", "acel"],
+            "fields: no field has 'acel' in its name or description; did you mean accel",
+        ),
+        (
+            ["fields", "--search", "qqqq"],
+            "fields: no field has 'qqqq' in its name or description; `mip fields` lists the sets",
+        ),
+        (["simulate", "nope"], "simulate: device 'nope' is unknown; "),
+        (["simulate", DEVICE, "--tcp", "abc"], "simulate: 'abc' is not a TCP port; "),
+        (["simulate", DEVICE, "--fault", "loose=1"], "simulate: fault 'loose' is unknown; "),
+        (["simulate", DEVICE, "--motion", "flying"], "simulate: --motion 'flying' is not a motion; "),
+        (["simulate", DEVICE, "--motion", "track:file=NOWHERE"], "simulate: --motion "),
+        (
+            ["bandwidth", "sensor.scaled_accel"],
+            "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in ",
+        ),
+        (["bandwidth", "base.ping@1"], "bandwidth: base.ping is not a data field; only data is streamed"),
+        (["bandwidth", "shared.gps_timestamp@1"], "bandwidth: shared.gps_timestamp is in every data set; say which: "),
+        (["bandwidth", "base:ping@1"], "bandwidth: 'base' is not a data set; write SET:NAME@HZ"),
+        (
+            ["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE],
+            "bandwidth: 3DM-CV7-GNSS/INS sends sensor with 1000 Hz",
+        ),
+        (
+            ["bandwidth", "sensor.scaled_accel@1000", "--baud", "9600"],
+            "bandwidth: 9600 Bd are not enough; 200000 are needed",
+        ),
+    ],
+)
+def test_errors_are_one_line(
+    words: list[str], error: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("FOLDER").mkdir()
+    Path("EMPTY").touch()
+    Path("ODD").write_text("75 65 0")
+    Path("LOG").write_bytes(log(0.2))
+    before = sorted(tmp_path.iterdir())
+    code, out, said = run(capsys, *words)
+    status = 2 if re.search(MISUSE, error) else 1
+    assert (code, out) == (status, "") and said.startswith(f"mip {error}") and said.count("\n") == 1, said
+    assert sorted(tmp_path.iterdir()) == before
+
+
+# --------------------------------------------------------------------------- fields
+
+
+def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "fields")
+    assert code == 0 and [int(line[:4], 16) for line in out.splitlines()] == list(registry.MODULES)
+    out = run(capsys, "fields", "sensor")[1]
+    assert out.startswith("0x80,0x01  sensor.raw_accel ") and len(out.splitlines()) == 23
+    one = run(capsys, "fields", "sensor.scaled_accel")[1]
+    assert one.startswith("sensor.scaled_accel (0x80,0x04), data\n") and "  scaled_accel: float[3] [g]\n" in one
+    assert all(run(capsys, "fields", name)[1] == one for name in ("0x80:0x04", "0x80,4", "ScaledAccel"))
+    found = run(capsys, "fields", "--search", "TEMPERATURE", "--device", "3dm-gx5-15")[1]
+    assert "sensor.temperature" in found or "sensor.scaled_pressure" in found
+    assert "gnss_1" not in found
+    assert (
+        "mip send PORT 3dm.message_format write descriptor_set descriptors"
+        in run(capsys, "fields", "3dm.message_format")[1]
+    )
+
+
+def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    names = [(kind.name_in(number), kind) for number, kind in registry.all_types()]
+    for name, kind in names:
+        code, out, error = run(capsys, "fields", name)
+        assert (code, error) == (0, "") and out.startswith(f"{name} (0x") and f"\n{name} (0x" not in out
+        for p in kind.INFO.parameters:
+            assert f"  {p.name}: " in out
+    found = json.loads(run(capsys, "fields", "--json")[1])
+    assert [f["name"] for f in found] == [name for name, _ in names]
+
+
+# --------------------------------------------------------------------------- bandwidth
+
+
+def test_bandwidth(capsys: pytest.CaptureFixture[str]) -> None:
+    """The manual's formula: 60 * rate + 10 * sum of sizes * rates."""
+    out = run(capsys, "bandwidth", "sensor.scaled_accel@100", "sensor.scaled_gyro@50")[1]
+    assert f"least baud rate: {60 * 100 + 10 * (14 * 100 + 14 * 50)}\n" in out
+    both = ["sensor:shared.gps_timestamp@100", "sensor.scaled_accel@100", "filter_data.llh_position@10"]
+    out = run(capsys, "bandwidth", *both, "--device", DEVICE, "--baud", "115200")[1]
+    need = 10 * (6 * 100 + 28 * 100 + 6 * 10 + 28 * 10)
+    assert f"least baud rate: {need}\n" in out and out.endswith(f"115200: {need / 115200:.0%} used\n")
+    assert "\nUART 1: 115200 (" in out
+    many = [f"gnss_1.llh_position@{rate}" for rate in (3, 2)]  # not in step: each in a packet of its own
+    out = run(capsys, "bandwidth", *many)[1]
+    out = run(capsys, "bandwidth", "sensor.scaled_accel@500", "sensor.scaled_gyro@333.3", "--device", DEVICE)[1]
+    # Decimations 2 and 3 of 1000 Hz: four moments of six have a packet.
+    assert "\nsensor: packets            6  666.667     4000\n" in out
+    out = run(capsys, "bandwidth", *many)[1]
+    size = int(next(line.split()[1] for line in out.splitlines() if "llh_position" in line))
+    assert f"least baud rate: {10 * (6 + size) * 5}\n" in out
+
+
+# --------------------------------------------------------------------------- completion
+
+
+def completed(words: str, folder: Path) -> list[str]:
+    """What bash offers after these words."""
+    script = folder / "mip.bash"
+    script.write_text(mip("completion", "bash")[1])
+    program = folder / "bin/mip"
+    program.parent.mkdir(exist_ok=True)
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} -m mip_tools "$@"\n')
+    program.chmod(0o755)
+    text = f"""
+        source {script}
+        COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
+        {"COMP_WORDS+=(''); COMP_CWORD=$((COMP_CWORD + 1))" if words.endswith(" ") else ":"}
+        compopt() {{ :; }}
+        _mip
+        printf '%s\\n' "${{COMPREPLY[@]}}"
+    """
+    environment = {**ENVIRONMENT, "PATH": f"{program.parent}:{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", text], capture_output=True, text=True, cwd=folder, env=environment)
+    assert done.stderr == ""
+    return done.stdout.split()
+
+
+def test_completion_in_bash(tmp_path: Path) -> None:
+    assert completed("mip ex", tmp_path) == ["export"]
+    assert completed("mip export --inv", tmp_path) == ["--invalid"]
+    assert completed("mip export x --invalid ", tmp_path) == ["keep", "mask", "drop"]
+    assert completed("mip fields sensor.scaled_", tmp_path) == [
+        f"sensor.scaled_{x}" for x in ("accel", "gyro", "mag", "pressure")
+    ]
+    assert completed("mip send /dev/x base.pi", tmp_path) == ["base.ping"]
+    assert completed("mip send /dev/x 3dm.message_format ", tmp_path)[:2] == ["write", "read"]
+    assert completed("mip dump --device 3dm-cv7-g", tmp_path) == [DEVICE]
+    assert completed("mip completion z", tmp_path) == ["zsh"]
+    assert completed("mip nonsense x", tmp_path) == []
+
+
+@pytest.mark.parametrize("shell", ["zsh", "fish"])
+def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "completion", shell)
+    assert code == 0 and "mip completion words -- " in out

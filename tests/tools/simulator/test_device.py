@@ -1,0 +1,709 @@
+"""The simulated device: what it answers, remembers and streams."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import (
+    DecodeError,
+    Packet,
+    PacketBuilder,
+    Parser,
+    RawField,
+    aiding,
+    base,
+    checksum,
+    devices,
+    filter,
+    gnss_data,
+    mip_3dm,
+    protocol,
+    registry,
+    sensor,
+    system,
+    system_data,
+    types,
+)
+from mip_tools.errors import Failure
+from mip_tools.simulator import VirtualDevice, effects, formats, knowledge
+from mip_tools.simulator.facts import COMMANDS
+from mip_tools.simulator.settings import command_type, keys
+from mip_tools.simulator.streams import Stream
+from simulator_host import Host
+from support import model
+
+CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
+OK, UNKNOWN, INVALID, FAILED, UNKNOWN_SET = 0, 1, 3, 4, 6
+
+
+@pytest.fixture
+def host() -> Host:
+    return Host(VirtualDevice(CV7))
+
+
+@pytest.fixture
+def old() -> Host:
+    return Host(VirtualDevice(GX5))
+
+
+def rates(*pairs: tuple[int, int]) -> tuple[types.DescriptorRate, ...]:
+    return tuple(types.DescriptorRate(*pair) for pair in pairs)
+
+
+def received(host: Host, seconds: float) -> list[Packet]:
+    """The packets of the next seconds."""
+    host.device.advance(seconds)
+    return Parser().feed(host.link.read())
+
+
+# --------------------------------------------------------------------------- the specification and the runtime
+
+
+def test_every_effect_is_implemented_and_no_other() -> None:
+    assert set(effects.EFFECTS) == {e.name for e in model("real").simulation.effects}
+
+
+def test_what_the_device_knows_is_declared() -> None:
+    assert set(knowledge.QUANTITIES) <= {q.name for q in model("real").simulation.quantities}
+
+
+@pytest.mark.parametrize("name", sorted(COMMANDS))
+def test_the_arguments_of_effects_are_those_that_are_declared(name: str) -> None:
+    behavior = COMMANDS[name]
+    declared = {e.name: set(e.arguments) for e in model("real").simulation.effects}
+    assert not behavior.effect or set(behavior.arguments) <= declared[behavior.effect]
+    assert set(behavior.all) <= set(keys(command_type(name)))
+
+
+# --------------------------------------------------------------------------- identity
+
+
+@pytest.mark.parametrize("name", sorted(devices.DEVICES))
+def test_a_device_says_who_it_is(name: str) -> None:
+    device = VirtualDevice(name)
+    if (base.GetDeviceInfo.SET, base.GetDeviceInfo.DESCRIPTOR) not in device.known:
+        return
+    info = Host(device).ok(base.GetDeviceInfo()).device_info
+    assert info.model_name.strip() == device.profile.title[:16]
+    if device.profile.model_number:
+        assert devices.identify(info) is device.profile
+
+
+def test_the_descriptors_are_those_of_the_profile(host: Host) -> None:
+    first = host.ok(base.GetDeviceDescriptors()).descriptors
+    more = host.ok(base.GetExtendedDescriptors()).descriptors
+    assert {(x >> 8, x & 0xFF) for x in (*first, *more)} == host.device.known
+    assert more, "the first response does not hold them all"
+
+
+def test_an_unknown_device_is_named_with_the_nearest() -> None:
+    with pytest.raises(Failure, match="do you mean 3dm-gx5-15"):
+        VirtualDevice("gx5-15")
+
+
+# --------------------------------------------------------------------------- settings
+
+
+def test_a_setting_is_remembered_by_function(host: Host) -> None:
+    kind = filter.AutoAngularZupt
+    factory = host.ok(kind.read())
+    host.ok(kind.write(1, 0.5))
+    assert host.ok(kind.read()).threshold == 0.5
+    host.ok(kind.load())  # nothing is saved
+    assert host.ok(kind.read()) == factory
+    host.ok(kind.write(1, 0.25))
+    host.ok(kind.save())
+    host.ok(kind.write(0, 0.75))
+    host.ok(kind.load())
+    assert host.ok(kind.read()).threshold == 0.25
+    host.ok(kind.default())
+    assert host.ok(kind.read()) == factory
+    host.ok(kind.load())
+    assert host.ok(kind.read()).threshold == 0.25, "the default does not remove what is saved"
+
+
+def test_instances_are_apart(host: Host) -> None:
+    kind = filter.MultiAntennaOffset
+    host.ok(kind.write(1, (1.0, 2.0, 3.0)))
+    host.ok(kind.write(2, (4.0, 5.0, 6.0)))
+    assert host.ok(kind.read(1)).antenna_offset == (1.0, 2.0, 3.0)
+    assert host.ok(kind.read(2)).antenna_offset == (4.0, 5.0, 6.0)
+
+
+def test_zero_means_all_instances(host: Host) -> None:
+    kind = mip_3dm.MessageFormat
+    host.ok(kind.write(0x80, rates((0x04, 10))))
+    host.ok(kind.write(0x82, rates((0x05, 10))))
+    host.ok(kind.save(0))
+    host.ok(kind.default(0))
+    assert host.ok(kind.read(0x80)).descriptors == host.ok(kind.read(0x82)).descriptors == ()
+    host.ok(kind.load(0))
+    assert host.ok(kind.read(0x82)).descriptors == rates((0x05, 10))
+    assert host.refused(kind.read(0)) == INVALID
+    assert host.refused(kind.write(0, rates((0x04, 10)))) == INVALID
+
+
+def test_saved_settings_survive_a_reset_and_others_do_not(host: Host) -> None:
+    kind = filter.AutoAngularZupt
+    host.ok(kind.write(1, 0.25))
+    host.ok(kind.save())
+    host.ok(kind.write(1, 0.75))
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    host.ok(base.SoftReset())
+    assert host.raw(bytes(base.Ping().packet())) == [], "a device that starts does not answer"
+    host.device.advance(1.0)
+    assert host.ok(kind.read()).threshold == 0.25
+    assert host.ok(mip_3dm.MessageFormat.read(0x80)).descriptors == ()
+
+
+def test_a_saved_format_streams_after_a_reset(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    host.ok(mip_3dm.DeviceSettings.save())
+    host.ok(base.SetIdle())
+    host.ok(base.SoftReset())
+    assert len(received(host, 1.5)) == 100, "for the second behind the start"
+
+
+def test_saved_settings_survive_in_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "settings.json"
+    host = Host(VirtualDevice(CV7, storage=path))
+    host.ok(filter.AutoAngularZupt.write(1, 0.25))
+    assert not path.exists()
+    host.ok(filter.AutoAngularZupt.save())
+    other = Host(VirtualDevice(CV7, storage=path))
+    assert other.ok(filter.AutoAngularZupt.read()).threshold == 0.25
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["settings.json"]
+
+
+def test_a_file_of_settings_behind_a_link_stays_there(tmp_path: Path) -> None:
+    (tmp_path / "kept").mkdir()
+    link, path = tmp_path / "settings.json", tmp_path / "kept/real.json"
+    link.symlink_to("kept/real.json")
+    host = Host(VirtualDevice(CV7, storage=link))
+    host.ok(filter.AutoAngularZupt.save())
+    assert link.is_symlink() and path.read_text().startswith("{")
+    assert [p.name for p in path.parent.iterdir()] == ["real.json"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("{", "is not a file of saved settings; remove it or name another file"),
+        ("[]", "is not a file of saved settings"),
+        ('{"device": "3dm-cv7-gnss-ins", "settings": [{"setting": "x.y"}]}', "is not a file of saved settings"),
+        (
+            '{"device": "3dm-cv7-gnss-ins", "settings": [{"setting": "base.comm_speed", "instance": [1], '
+            '"command": "base.comm_speed", "data": "01"}]}',
+            "is not a file of saved settings",
+        ),
+        ('{"device": "3dm-gx5-15", "settings": []}', "has the settings of 3dm-gx5-15, not of 3dm-cv7-gnss-ins"),
+    ],
+)
+def test_a_damaged_file_is_refused(tmp_path: Path, text: str, message: str) -> None:
+    path = tmp_path / "settings.json"
+    path.write_text(text)
+    with pytest.raises(Failure, match=message):
+        VirtualDevice(CV7, storage=path)
+    assert path.read_text() == text
+
+
+def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    """At once, not when a host saves something; and later too."""
+    path = tmp_path / "none" / "settings.json"
+    with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
+        VirtualDevice(CV7, storage=path)
+    path.parent.mkdir()
+    host = Host(VirtualDevice(CV7, storage=path))
+    assert not list(path.parent.iterdir())
+    path.parent.rmdir()
+    host.ok(filter.AutoAngularZupt.write(1, 0.25))
+    with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
+        host.ok(filter.AutoAngularZupt.save())
+
+
+def test_apply_without_reply(old: Host) -> None:
+    assert old.ask(mip_3dm.GyroBias.apply((0.1, 0.2, 0.3))) == []
+    assert old.ok(mip_3dm.GyroBias.read()).bias == pytest.approx((0.1, 0.2, 0.3))
+
+
+def test_all_settings_of_every_device_fit_into_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "settings.json"
+    host = Host(VirtualDevice(GX5, storage=path))
+    host.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 5))))
+    host.ok(mip_3dm.DeviceSettings.save())
+    kept = json.loads(path.read_text())
+    assert kept["device"] == GX5 and [x["command"] for x in kept["settings"]] == ["3dm.imu_message_format"]
+    assert formats.of_set(VirtualDevice(GX5, storage=path), 0x80) == [(0x04, 5)]
+
+
+# --------------------------------------------------------------------------- refusals
+
+
+def command(set: int, descriptor: int, data: bytes = b"") -> bytes:
+    return bytes(PacketBuilder(set).add(descriptor, data).build())
+
+
+def codes(packets: list[Packet]) -> list[tuple[int, int]]:
+    found = [registry.decode(raw) for packet in packets for raw in packet]
+    return [(int(x.command), int(x.code)) for x in found if isinstance(x, protocol.Acknowledge)]
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (command(0x01, 0x01), OK),
+        (command(0x01, 0x01, b"\0\0"), OK),  # what follows the parameters is no mistake
+        (command(0x01, 0x55), UNKNOWN),
+        (command(0x55, 0x01), UNKNOWN_SET),
+        (command(0x0C, 0x0F, b"\x09\x80"), INVALID),  # no such function
+        (command(0x0C, 0x0F, b"\x01\x80\x05\x04"), INVALID),  # the count exceeds the data
+        (command(0x0C, 0x0F, b"\x01\x80"), INVALID),  # truncated
+        (command(0x0C, 0x0F, b"\x01\x81\x00"), INVALID),  # no such data set
+        (command(0x0C, 0x0F, b"\x01\x80\x01\x63\x00\x01"), INVALID),  # no such field
+        (command(0x0C, 0x0F, b"\x01\x80\x01\x04\x00\x00"), INVALID),  # a decimation of 0
+        (command(0x0C, 0x28, b"\x01\x09"), INVALID),  # no such value
+        (command(0x01, 0x72, b"\x02\x01"), INVALID),  # a function that this device lacks
+        (command(0x01, 0x09, b"\x01\x11\x00\x00\x00\x01"), INVALID),  # no such baud rate
+        (command(0x01, 0x09, b"\x02\x99"), INVALID),  # no such port
+        (command(0x0C, 0x2E, b"\x02\x0d"), INVALID),  # more triggers than there are
+        (command(0x0C, 0x0D, b"\x80\x00\x00"), FAILED),  # no stored format to poll
+        (command(0x0C, 0x42, b"\x01\x01\x01"), FAILED),  # not an output
+    ],
+)
+def test_refusals(host: Host, data: bytes, code: int) -> None:
+    assert codes(host.raw(data)) == [(data[5], code)]
+
+
+def test_a_device_without_a_code_for_unknown_sets_does_not_know_the_command(old: Host) -> None:
+    assert UNKNOWN_SET not in old.device.profile.ack_codes
+    assert codes(old.raw(command(0x55, 0x01))) == [(0x01, UNKNOWN)]
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+def test_what_is_no_number_is_refused(host: Host, number: float) -> None:
+    for command in (
+        mip_3dm.GyroBias.write((0.0, number, 0.0)),
+        mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, number),
+        aiding.FrameConfig.write(1, aiding.AidingFrameFormat.EULER, True, (0.0, 0.0, 0.0), (number, 0.0, 0.0)),
+    ):
+        assert host.refused(command) == INVALID
+
+
+def test_settings_that_lead_beyond_what_data_hold() -> None:
+    """The data show the largest number; the device goes on."""
+    host = Host(VirtualDevice(GX5))
+    host.ok(mip_3dm.GyroBias.write((3.4e38, -3.4e38, 0.0)))
+    host.ok(mip_3dm.AccelBias.write((-3.4e38, 0.0, 0.0)))
+    for set, descriptor in sorted(x for x in host.device.known if 0x80 <= x[0] < 0xFF):
+        host.device.send_data(set, [descriptor])
+    (gyro,) = [f for p in Parser().feed(host.link.read()) for f in p if f[:2] == (0x80, 0x05)]
+    assert sensor.ScaledGyro.decode(gyro.data).scaled_gyro[:2] == pytest.approx((-3.4e38, 3.4e38), rel=0.01)
+
+
+def test_times_that_no_data_can_show_are_refused() -> None:
+    host, field = Host(VirtualDevice("3dm-gx5-45")), base.GpsTimeUpdate
+    week, tow = base.GpsTimeField.WEEK_NUMBER, base.GpsTimeField.TOW
+    for name, last in ((week, 0xFFFF), (tow, 604_799)):
+        host.ok(field.write(name, last))
+        assert [host.refused(field.write(name, n)) for n in (last + 1, 2**32 - 1)] == [INVALID] * 2
+    assert host.device.world.gps // (604_800 * 10**9) == 0xFFFF
+    host.device.send_data(0x81, [0x08])  # its UTC
+
+
+def test_a_refused_setting_changes_nothing(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    assert host.refused(mip_3dm.MessageFormat.write(0x80, rates((0x04, 20), (0x63, 20)))) == INVALID
+    assert host.ok(mip_3dm.MessageFormat.read(0x80)).descriptors == rates((0x04, 10))
+
+
+def test_answers_and_data_are_not_answered(host: Host) -> None:
+    assert host.raw(command(0x01, 0xF1, b"\x01\x00") + command(0x80, 0x04, bytes(12))) == []
+
+
+# --------------------------------------------------------------------------- packets
+
+
+def test_several_commands_in_a_packet_are_answered_in_order(host: Host) -> None:
+    packet = PacketBuilder(0x01).add(0x01).add(0x55).add(0x03).add(0x02).build()
+    (answer,) = host.raw(bytes(packet))
+    assert [raw.descriptor for raw in answer] == [0xF1, 0xF1, 0xF1, 0x81, 0xF1]
+    assert codes([answer]) == [(0x01, OK), (0x55, UNKNOWN), (0x03, OK), (0x02, OK)]
+
+
+def test_answers_that_do_not_fit_come_in_several_packets(host: Host) -> None:
+    builder = PacketBuilder(0x01)
+    for _ in range(7):
+        builder.add(0x03)
+    packets = host.raw(bytes(builder.build()))
+    assert len(packets) == 4
+    fields = [raw.descriptor for packet in packets for raw in packet]
+    assert fields == [0xF1, 0x81] * 7
+    assert all(next(iter(packet)).descriptor == 0xF1 for packet in packets)
+
+
+def test_a_false_start_hides_a_command_for_a_tenth_of_a_second_only(host: Host) -> None:
+    assert host.raw(bytes.fromhex("7565 01 FF") + command(0x01, 0x01)) == []
+    assert received(host, 0.099) == []
+    assert codes(received(host, 0.001)) == [(0x01, OK)]
+    half = command(0x01, 0x01)
+    assert host.raw(half[:5]) == received(host, 0.05) == []
+    assert codes(host.raw(half[5:])) == [(0x01, OK)]
+
+
+def test_a_malformed_field_ends_the_packet(host: Host) -> None:
+    packet = bytearray(bytes(PacketBuilder(0x01).add(0x01).add(0x02).build()))
+    packet[6] = 9
+    packet[-2:] = checksum(bytes(packet[:-2]))
+    assert codes(host.raw(bytes(packet))) == [(0x01, OK)]
+    assert not host.device.idle
+
+
+def test_data_that_do_not_fit_come_in_continuation_packets(host: Host) -> None:
+    wanted = [0xD3, *sorted(x for s, x in host.device.profile.fields if s == 0x82)]
+    host.ok(mip_3dm.MessageFormat.write(0x82, rates(*((x, 1000) for x in wanted))))
+    packets = received(host, 1.0)
+    assert len(packets) > 2 and {p.set for p in packets} == {0x82}
+    front = [next(iter(p)) for p in packets]
+    assert len(set(front)) == 1 and front[0].descriptor == 0xD3, "the shared time is repeated"
+    sent = [raw.descriptor for p in packets for raw in list(p)[1:]]
+    assert [x for x, _ in groupby(sent)] == wanted[1:], "a field may be sent once for each of several items"
+
+
+def action(number: int) -> mip_3dm.FactoryStreamingAction:
+    return mip_3dm.FactoryStreamingAction(number)
+
+
+def mode(number: int) -> types.EventTriggerMode:
+    return types.EventTriggerMode(number)
+
+
+# --------------------------------------------------------------------------- streams
+
+
+def test_a_stream_has_the_base_rate_over_the_decimation(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10), (0x05, 25))))
+    packets = received(host, 1.0)
+    fields = [raw.descriptor for p in packets for raw in p]
+    assert (fields.count(0x04), fields.count(0x05)) == (100, 40)
+    assert len(packets) == 120, "both in one packet where they are due together"
+    host.ok(mip_3dm.DataStreamControl.write(0x80, False))
+    assert received(host, 1.0) == []
+    host.ok(mip_3dm.DataStreamControl.write(0x80, True))
+    assert len(received(host, 1.0)) == 120
+
+
+def test_the_old_commands_set_the_same_formats(old: Host) -> None:
+    old.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 100))))
+    old.ok(mip_3dm.FilterMessageFormat.write(rates((0x05, 100))))
+    assert formats.of_set(old.device, 0x80) == [(0x04, 100)] and formats.of_set(old.device, 0x82) == [(0x05, 100)]
+    assert {(p.set, len(list(p))) for p in received(old, 1.0)} == {(0x80, 1), (0x82, 1)}
+    old.ok(mip_3dm.DataStreamControl.write(1, False))
+    assert {p.set for p in received(old, 1.0)} == {0x82}
+    assert old.ok(mip_3dm.DataStreamControl.read(1)).enabled is False
+    assert (old.ok(mip_3dm.GetImuBaseRate()).rate, old.ok(mip_3dm.GetFilterBaseRate()).rate) == (1000, 500)
+
+
+def test_idle_stops_streams_and_resume_goes_on(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    host.ok(base.SetIdle())
+    assert received(host, 1.0) == []
+    host.ok(base.Resume())
+    assert len(received(host, 1.0)) == 100
+
+
+def test_the_self_test_interrupts_the_data(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    before = host.now
+    assert host.ok(base.BuiltInTest()).result == 0
+    assert host.now - before >= 2.0 and len(host.data) < 10
+    assert len(received(host, 1.0)) == 100
+
+
+def test_commands_wait_for_one_that_takes_its_time(host: Host) -> None:
+    test = PacketBuilder(0x01).add(base.BuiltInTest.DESCRIPTOR).add(base.SoftReset.DESCRIPTOR).build()
+    assert host.raw(bytes(test)) == host.raw(bytes(base.Ping().packet())) == []
+    assert received(host, 1.9) == []
+    (answer,) = received(host, 0.1)
+    assert codes([answer]) == [(0x05, OK), (0x7E, OK)]
+    assert host.raw(bytes(base.Ping().packet())) == [], "it restarts behind the answer; what waited is lost"
+    host.device.advance(1.0)
+    host.link.write(bytes(base.BuiltInTest().packet()) + bytes(base.Ping().packet()))
+    assert codes(received(host, 2.0)) == [(0x05, OK), (0x01, OK)]
+
+
+def test_a_poll_sends_one_packet_behind_the_reply(host: Host) -> None:
+    host.link.write(bytes(mip_3dm.PollData(0x80, False, (0xD3, 0x04, 0x63)).packet()))
+    answer, data = Parser().feed(host.link.read())
+    assert codes([answer]) == [(0x0D, OK)]
+    assert [raw.descriptor for raw in data] == [0xD3, 0x04], "what it does not know is left out"
+    host.link.write(bytes(mip_3dm.PollData(0x80, True, (0x05,)).packet()))
+    (data,) = Parser().feed(host.link.read())
+    assert data.set == 0x80
+
+
+def test_a_poll_without_fields_sends_the_stored_format(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 1000), (0x05, 500))))
+    host.ok(base.SetIdle())
+    host.ok(mip_3dm.PollData(0x80, False, ()))
+    assert [raw.descriptor for raw in host.data[-1]] == [0x04, 0x05]
+
+
+def test_a_poll_answers_the_host_that_asks_and_a_stream_all(host: Host) -> None:
+    other = Host(host.device)
+    host.ask(mip_3dm.PollData(0x80, True, (0x04,)))
+    assert other.link.read() == b""
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    host.device.advance(1.0)
+    first, second = host.link.read(), other.link.read()
+    assert len(Parser().feed(second)) == 100 and first.endswith(second[-100:])
+
+
+def test_factory_streaming(host: Host) -> None:
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x17, 500))))
+    host.ok(mip_3dm.FactoryStreaming(action(2), 0))
+    assert formats.of_set(host.device, 0x80)[0] == (0x17, 500) and len(formats.of_set(host.device, 0x80)) == 5
+    host.ok(mip_3dm.FactoryStreaming(action(0), 0))
+    assert len(formats.of_set(host.device, 0x80)) == 4
+    assert {p.set for p in received(host, 2.0)} == {s for s, _ in host.device.profile.fields if 0x80 <= s < 0xFF}
+
+
+def test_a_stream_that_nobody_reads_is_dropped_whole() -> None:
+    device = VirtualDevice(CV7)
+    link = device.connect(capacity=1000)
+    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates((0x04, 1))).packet()))
+    device.advance(10.0)
+    assert link.waiting <= 1000 and link.dropped > 9000
+    parser = Parser()
+    parser.feed(link.read())
+    assert parser.skipped == parser.pending == 0
+
+
+# --------------------------------------------------------------------------- particular commands
+
+
+def test_the_mounting_is_one_setting_in_three_forms(host: Host) -> None:
+    host.ok(mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, 1.5707963705062866))
+    dcm = host.ok(mip_3dm.SensorToVehicleTransformDcm.read()).dcm
+    assert dcm == pytest.approx((0, -1, 0, 1, 0, 0, 0, 0, 1), abs=1e-6)
+    q = host.ok(mip_3dm.SensorToVehicleTransformQuaternion.read()).q
+    assert q == pytest.approx((0.7071068, 0, 0, -0.7071068), abs=1e-6), "the inverse, as the command defines it"
+    host.ok(mip_3dm.SensorToVehicleTransformQuaternion.write((1.0, 0.0, 0.0, 0.0)))
+    angles = host.ok(mip_3dm.SensorToVehicleTransformEuler.read())
+    assert (angles.roll, angles.pitch, angles.yaw) == pytest.approx((0, 0, 0), abs=1e-6)
+    assert host.refused(mip_3dm.SensorToVehicleTransformDcm.write((0.0,) * 9)) == INVALID
+
+
+def test_the_older_mounting_is_the_inverse(old: Host) -> None:
+    old.ok(filter.SensorToVehicleRotationEuler.write(0.0, 0.0, 1.5707963705062866))
+    assert old.device.world.sensor_to_vehicle == pytest.approx((0, 1, 0, -1, 0, 0, 0, 0, 1), abs=1e-6)
+
+
+def test_a_frame_is_read_in_the_form_that_is_asked_for(host: Host) -> None:
+    kind, form = aiding.FrameConfig, aiding.AidingFrameFormat
+    host.ok(kind.write(1, form.EULER, False, (1.0, 2.0, 3.0), (0.0, 0.0, 0.5)))
+    assert host.ok(kind.read(1, form.EULER)).rotation == (0.0, 0.0, 0.5)
+    answer = host.ok(kind.read(1, form.QUATERNION))
+    assert answer.format == form.QUATERNION
+    assert answer.rotation == pytest.approx((0.9689124, 0, 0, 0.247404), abs=1e-6)
+    assert answer.translation == (1.0, 2.0, 3.0)
+
+
+def test_echo_control_silences_aiding(host: Host) -> None:
+    now = aiding.MeasurementTime(aiding.Timebase.TIME_OF_ARRIVAL, nanoseconds=0)
+    measured = aiding.TrueHeading(now, 1, 0.5, 0.1, 1)
+    assert codes(host.raw(bytes(measured.packet()))) == [(measured.DESCRIPTOR, OK)]
+    host.ok(aiding.EchoControl.write(aiding.AidingEchoMode.SUPPRESS_ACK))
+    assert host.raw(bytes(measured.packet())) == []
+    host.ok(aiding.EchoControl.default())
+    assert codes(host.raw(bytes(measured.packet()))) == [(measured.DESCRIPTOR, OK)]
+
+
+def test_a_baud_rate_is_of_one_port() -> None:
+    device = VirtualDevice(CV7)
+    host, other = Host(device, "UART 1"), Host(device, "UART 2")
+    usb = device.connect("USB 1")
+    assert (host.link.baud, other.link.baud, usb.baud) == (115200, 115200, None)
+    host.ok(base.CommSpeed.write(0x11, 921600))
+    assert (host.link.baud, other.link.baud) == (921600, 115200)
+    assert host.ok(base.CommSpeed.read(0x11)).baud == 921600
+    host.ok(base.CommSpeed.save(0))
+    host.ok(base.CommSpeed.default(0))
+    assert host.link.baud == 115200
+    host.ok(base.CommSpeed.load(0x11))
+    assert host.link.baud == 921600
+
+
+def test_a_port_takes_and_gives_the_protocols_that_are_set() -> None:
+    kind, ports = system.InterfaceControl, types.CommInterface
+    mip, nmea = system.CommProtocols.MIP, system.CommProtocols.NMEA
+    device = VirtualDevice(CV7)
+    host, aux = Host(device), Host(device, "UART 2")
+    assert aux.raw(bytes(base.Ping().packet())) == [], "an auxiliary port is closed at first"
+    assert host.ok(kind.read(ports.UART_2)).protocols_incoming == 0
+    host.ok(kind.write(ports.UART_2, mip, mip | nmea))
+    aux.ok(base.Ping())
+    assert aux.refused(kind.write(ports.UART_3, mip, mip)) == FAILED, "only the main port takes it"
+    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
+    assert len(received(aux, 1.0)) == 100
+    host.ok(kind.write(ports.UART_2, mip, system.CommProtocols(0)))
+    assert received(aux, 1.0) == []
+    aux.ok(base.Ping())
+    assert host.refused(kind.write(ports.UART_1, nmea, nmea)) == FAILED, "the main port keeps MIP"
+    host.ok(kind.write(ports.UART_3, mip, mip))
+    assert host.refused(kind.write(ports.USB_2, mip, mip)) == FAILED, "no more than two parsers"
+    assert host.refused(kind.write(ports.UART_3, system.CommProtocols(1 << 30), mip)) == INVALID
+
+
+def test_the_baud_rate_of_the_main_port(old: Host) -> None:
+    assert old.link.baud == 115200
+    old.ok(mip_3dm.UartBaudRate.write(460800))
+    assert old.link.baud == 460800
+
+
+def test_the_gyro_bias_takes_its_time(old: Host) -> None:
+    before = old.now
+    assert 0 < max(map(abs, old.ok(mip_3dm.CaptureGyroBias(5000)).bias)) < 1e-3
+    assert old.now - before >= 5.0
+
+
+def test_events_are_configured_enabled_and_shown(host: Host) -> None:
+    trigger = types.EventTriggerGpio(1, types.EventTriggerGpioMode.WHILE_HIGH)
+    assert host.refused(mip_3dm.EventControl.write(3, mode(1))) == FAILED
+    host.ok(mip_3dm.EventTriggerConfig.write(3, types.EventTriggerType.GPIO, trigger))
+    host.ok(mip_3dm.EventControl.write(3, mode(2)))
+    action = types.EventActionGpio(2, types.EventActionGpioMode.TOGGLE)
+    host.ok(mip_3dm.EventActionConfig.write(5, 3, types.EventActionType.GPIO, action))
+    (status,) = host.ok(mip_3dm.GetEventTriggerStatus((3,))).triggers
+    assert (status.type, int(status.status)) == (types.EventTriggerType.GPIO, 7)
+    every = host.ok(mip_3dm.GetEventActionStatus(())).actions
+    assert [(int(x.action_type), x.trigger_id) for x in every] == [(0, 0)] * 4 + [(1, 3)] + [(0, 0)] * 7
+    support = host.ok(mip_3dm.GetEventSupport(mip_3dm.EventSupportQuery.TRIGGER_TYPES))
+    assert support.max_instances == 12 and [(x.type, x.count) for x in support.entries] == [(1, 4), (2, 8), (3, 8)]
+    host.ok(mip_3dm.EventTriggerConfig.write(3, types.EventTriggerType.GPIO, trigger))
+    assert host.ok(mip_3dm.EventControl.read(3)).mode == 0, "a trigger is disabled after its configuration"
+
+
+def test_an_output_keeps_its_level(host: Host) -> None:
+    assert host.refused(mip_3dm.GpioState.write(1, True)) == FAILED
+    host.ok(mip_3dm.GpioConfig.write(1, types.GpioFeature.GPIO, 3, types.GpioPinMode(0)))
+    assert host.ok(mip_3dm.GpioState.read(1)).state is True
+    host.ok(mip_3dm.GpioState.write(1, False))
+    assert host.ok(mip_3dm.GpioState.read(1)).state is False
+    assert host.refused(mip_3dm.GpioState.read(9)) == INVALID
+    host.ok(mip_3dm.GpioState.write(1, True))
+    host.ok(mip_3dm.PollData(0xA0, False, (system_data.GpioState.DESCRIPTOR,)))
+    shown = system_data.GpioState.find(host.data[-1])
+    assert shown is not None and shown.states == 1
+
+
+def test_in_a_direct_mode_the_device_answers_little(old: Host) -> None:
+    old.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 10))))
+    old.ok(system.CommMode.write(system.ProtocolMode.SENSOR_DIRECT))
+    assert old.raw(bytes(base.Ping().packet())) == []
+    assert old.ok(mip_3dm.DeviceStatus(6254, mip_3dm.DeviceStatusSelector.BASIC)).model_number == 6254
+    old.ok(system.CommMode.write(system.ProtocolMode.STANDARD))
+    old.ok(base.Ping())
+
+
+@pytest.mark.parametrize(
+    ("name", "layout"),
+    [
+        (GX5, "device_status_diagnostic_response"),
+        ("3dm-gx5-45", "device_status_diagnostic_gnss_response"),
+    ],
+)
+def test_the_device_status_has_the_layout_of_the_device(name: str, layout: str) -> None:
+    host = Host(VirtualDevice(name))
+    host.device.advance(3.0)
+    status = host.ok(mip_3dm.DeviceStatus(host.device.profile.model_number, mip_3dm.DeviceStatusSelector.DIAGNOSTIC))
+    assert f"3dm.{layout}" == status.NAME and status.system_timer == 3000
+
+
+# --------------------------------------------------------------------------- time, seeds, any input
+
+
+def session(cuts: list[float], seed: int) -> bytes:
+    device = VirtualDevice(CV7, seed=seed)
+    link = device.connect()
+    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates((0x04, 7), (0xD3, 3))).packet()))
+    link.write(
+        bytes(
+            mip_3dm.MessageFormat.write(
+                0x91,
+                rates(
+                    (gnss_data.Dop.DESCRIPTOR, 1),
+                ),
+            ).packet()
+        )
+    )
+    found = b""
+    for cut in cuts:
+        device.advance(cut)
+        found += link.read()
+    return found
+
+
+def test_the_bytes_do_not_depend_on_how_time_is_cut() -> None:
+    whole = session([2.0], 5)
+    assert session([0.001] * 2000, 5) == whole == session([0.25, 1.0, 0.75], 5)
+
+
+def test_a_stream_that_starts_anew_at_a_tick_does_not_repeat_it() -> None:
+    """At 3 Hz, no tick is at a whole nanosecond."""
+    for tick in range(1, 100):
+        stream = Stream(3, [(1, None)], lambda items: None, 0, 0)
+        for _ in range(tick - 1):
+            stream.fire()
+        assert stream.next == -(-tick * 10**9 // 3)
+        assert Stream(3, [(1, None)], lambda items: None, 0, stream.next).next > stream.next
+
+
+def test_time_does_not_drift() -> None:
+    device = VirtualDevice(CV7)
+    times: list[int] = []
+    device.trace = lambda what, data: times.append(device.now) if what == "data" else None
+    link = device.connect(capacity=100)
+    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates((0x04, 50000))).packet()))
+    days = 4
+    device.run_until(days * 86400 * 10**9)
+    assert times == [50 * 10**9 * k for k in range(1, days * 1728 + 1)]
+
+
+def test_any_bytes_are_taken() -> None:
+    chance = random.Random(1)
+    for name in (CV7, GX5, "3dm-gx5-45", "3dm-gq7"):
+        host = Host(VirtualDevice(name))
+        known = sorted(host.device.known)
+        for _ in range(1500):
+            set, descriptor = chance.choice(known) if chance.random() < 0.9 else (chance.randrange(1, 128), 1)
+            data = bytes(chance.choice((0, 1, 2, 3, 4, 5, 0x80, 0xFF)) for _ in range(chance.randrange(24)))
+            if set < 0x80 and (set, descriptor) != (0x01, 0x7E):
+                host.raw(bytes(PacketBuilder(set).add(descriptor, data).build()))
+            else:
+                host.raw(chance.randbytes(30))
+            host.device.advance(0.01)
+            for packet in Parser().feed(host.link.read()):
+                for raw in packet:
+                    assert decoded(raw) is not None
+        host.device.advance(20.0)
+
+
+def decoded(raw: RawField) -> Any:
+    try:
+        return registry.decode(raw)
+    except DecodeError as error:
+        raise AssertionError(f"{raw}: {error}") from None
+
+
+def test_closed_links_say_so(host: Host) -> None:
+    host.device.disconnect(host.link)
+    with pytest.raises(ConnectionError, match="connect again"):
+        host.link.write(b"x")
+    with pytest.raises(Failure, match="has no port 'UART 9'; its ports: Main, UART 1"):
+        host.device.connect("UART 9")

@@ -1,0 +1,60 @@
+"""Streaming for long: constant memory, and times that do not drift."""
+
+from __future__ import annotations
+
+import sys
+
+from mip_protocol import mip_3dm, types
+from mip_tools.simulator import VirtualDevice
+from support import heavy
+
+CV7 = "3dm-cv7-gnss-ins"
+SECOND = 10**9
+DAY = 86400 * SECOND
+
+#: Shared times, sensor, filter and GNSS data, and a field of several items.
+FORMATS = {
+    0x80: (0xD5, 0xD6, 0x04, 0x05, 0x07, 0x08, 0x0A, 0x0C),
+    0x82: (0xD3, 0x01, 0x02, 0x05, 0x10),
+    0x91: (0x03, 0x07, 0x0B, 0x20),
+}
+
+#: Objects that come and go.
+SOME = 500
+
+
+def streaming(formats: dict[int, tuple[int, ...]], decimation: int) -> VirtualDevice:
+    device = VirtualDevice(CV7)
+    link = device.connect(capacity=0)  # all is dropped, as if a host had read it
+    for set, fields in formats.items():
+        wanted = tuple(types.DescriptorRate(x, decimation) for x in fields)
+        link.write(bytes(mip_3dm.MessageFormat.write(set, wanted).packet()))
+    return device
+
+
+def grown(device: VirtualDevice, until: int) -> int:
+    before = sys.getallocatedblocks()
+    device.run_until(until)
+    return sys.getallocatedblocks() - before
+
+
+def test_memory_does_not_grow() -> None:
+    device = streaming(FORMATS, 1)
+    device.advance(2.0)
+    assert grown(device, 6 * SECOND) < SOME, "8,000 packets and more"
+
+
+@heavy("a simulated year")
+def test_a_year_neither_drifts_nor_grows() -> None:
+    device = streaming({0x80: (0xD5, 0x04)}, 60_000)
+    last = count = 0
+
+    def note(what: str, data: bytes) -> None:
+        nonlocal last, count
+        count += what == "data"
+        last = device.now
+
+    device.trace = note
+    device.run_until(DAY)
+    assert grown(device, 365 * DAY) < SOME
+    assert count == 365 * 1440 and last == 365 * DAY

@@ -1,0 +1,296 @@
+"""Motions: their values agree with each other, nothing jumps, and bad descriptions are refused."""
+
+from __future__ import annotations
+
+from math import atan2, cos, degrees, dist, hypot, isclose, radians, sin, sqrt
+from pathlib import Path
+from random import Random
+
+import pytest
+from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.motion import (
+    Circle,
+    Motion,
+    MotionError,
+    Standing,
+    State,
+    Track,
+    Waypoint,
+    parse_motion,
+)  # fmt: skip
+from mip_tools.simulator.state import between, euler, matrix, quaternion, rotation, rotation_vector
+
+A, F = 6378137.0, 1 / 298.257223563
+YEAR = 365 * 86_400.0
+TOWN = (
+    Waypoint(47.0, 8.0, 400.0), Waypoint(47.002, 8.0005, 410.0, 14.0), Waypoint(47.0021, 8.004, 405.0),
+    Waypoint(47.0005, 8.0045, 405.0, 4.0), Waypoint(47.0, 8.002, 402.0),
+)  # fmt: skip
+LIMIT = 2.0
+MOTIONS: dict[str, Motion] = {
+    "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
+    "circle": Circle(20, 5),
+    "fast circle": Circle(300, 60, -78.0, 170.0),
+    "track": Track(TOWN, acceleration=LIMIT),
+    "loop": Track(TOWN, acceleration=LIMIT, loop=True),
+    "across the date line": Track([Waypoint(10, 179.999, 0), Waypoint(10.001, -179.998, 30)], 25.0),
+}
+each = pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
+STEP = 1e-3
+
+
+def times(motion: Motion) -> list[float]:
+    """Irregular moments, and some a year later."""
+    early = [0.37 * i + 0.011 for i in range(1, 600)]
+    return early + [YEAR + t for t in early[:40]]
+
+
+def radii(latitude: float, height: float) -> tuple[float, float]:
+    e2 = F * (2 - F)
+    w = 1 - e2 * sin(latitude) ** 2
+    return A * (1 - e2) / w**1.5 + height, (A / sqrt(w) + height) * cos(latitude)
+
+
+@each
+def test_attitude_in_all_forms(motion: Motion) -> None:
+    for t in times(motion):
+        s = motion.at(t)
+        assert isclose(hypot(*s.quaternion), 1, abs_tol=1e-12) and s.quaternion[0] >= 0
+        assert dist(matrix(s.quaternion), s.dcm) < 1e-12
+        roll, pitch, yaw = euler(s.dcm)
+        assert dist(rotation(roll, pitch, yaw)[1], s.dcm) < 1e-12
+        assert dist(quaternion(s.dcm), s.quaternion) < 1e-9
+
+
+@each
+def test_velocity_is_the_change_of_the_position(motion: Motion) -> None:
+    """To 1 mm/s: within a step the speed changes by up to acceleration * step = 2 mm/s, half of it on average."""
+    for t in times(motion):
+        a, b = motion.at(t - STEP / 2), motion.at(t + STEP / 2)
+        north, east = radii(a.latitude, a.height)
+        moved = (
+            (b.latitude - a.latitude) * north / STEP,
+            (b.longitude - a.longitude) * east / STEP,
+            (a.height - b.height) / STEP,
+        )
+        middle = [(x + y) / 2 for x, y in zip(a.velocity, b.velocity)]
+        assert dist(moved, middle) < 1e-3 + 1e-7 * t / 60, t
+
+
+@each
+def test_acceleration_is_the_change_of_the_velocity(motion: Motion) -> None:
+    """Where the acceleration steps, the change lies between both values."""
+    for t in times(motion)[:600]:
+        a, b = motion.at(t), motion.at(t + STEP)
+        change = [(y - x) / STEP for x, y in zip(a.velocity, b.velocity)]
+        middle = [(x + y) / 2 for x, y in zip(a.acceleration, b.acceleration)]
+        assert dist(change, middle) <= dist(a.acceleration, b.acceleration) / 2 + 2e-5, t
+
+
+@each
+def test_rate_is_the_change_of_the_attitude(motion: Motion) -> None:
+    for t in times(motion)[:600]:
+        a, b = motion.at(t), motion.at(t + STEP)
+        turned = [x / STEP for x in rotation_vector(a.quaternion, b.quaternion)]
+        middle = [(x + y) / 2 for x, y in zip(a.rate, b.rate)]
+        assert dist(turned, middle) <= dist(a.rate, b.rate) / 2 + 1e-6, t
+
+
+@pytest.mark.parametrize("name", ["circle", "track", "loop", "across the date line"])
+def test_vehicles_point_where_they_go(name: str) -> None:
+    moving = [s for s in map(MOTIONS[name].at, times(MOTIONS[name])) if hypot(*s.velocity) > 0.01]
+    assert moving
+    for s in moving:
+        north, east, down = s.velocity
+        roll, pitch, yaw = euler(s.dcm)
+        assert roll == 0 and isclose(pitch, atan2(-down, hypot(north, east)), abs_tol=1e-9)
+        assert hypot(sin(yaw) - east / hypot(north, east), cos(yaw) - north / hypot(north, east)) < 1e-9
+
+
+@pytest.mark.parametrize("name", ["track", "loop"])
+def test_tracks_are_smooth_and_within_limits(name: str) -> None:
+    """The plane of the track stretches by less than 1 %, and with it speeds and accelerations."""
+    track, last, speeds = MOTIONS[name], None, []
+    for i in range(60_000):
+        s = track.at(i * 0.005)
+        heading = euler(s.dcm)[2]
+        along = s.acceleration[0] * cos(heading) + s.acceleration[1] * sin(heading)
+        across = s.acceleration[1] * cos(heading) - s.acceleration[0] * sin(heading)
+        assert max(abs(along), abs(across)) < LIMIT * 1.01 and abs(s.acceleration[2]) < LIMIT * 1.3
+        speeds.append(hypot(*s.velocity[:2]))
+        if last is not None:
+            assert dist(last.velocity, s.velocity) < 2 * LIMIT * 0.005
+            assert hypot(*rotation_vector(last.quaternion, s.quaternion)) < 0.005 * 1.0
+        last = s
+    assert speeds[0] == 0 and isclose(max(speeds), 14.0, rel_tol=0.01), "it reaches its fastest speed"
+
+
+def test_steep_climbs_are_driven_slowly() -> None:
+    """So that the vehicle is not accelerated upwards by more than the limit."""
+    track = Track([Waypoint(47, 8, 0), Waypoint(47.001, 8, 30), Waypoint(47.003, 8, 30)], 30, acceleration=1.0)
+    states = places(track, track.duration or 0)
+    climbing = [s for s in states if 0.1 < s.height < 29.9]
+    assert 0.6 < max(abs(s.acceleration[2]) for s in climbing) < 1.3
+    assert max(hypot(*s.velocity) for s in climbing) < 10 < max(hypot(*s.velocity) for s in states)
+
+
+def places(motion: Motion, end: float) -> list[State]:
+    return [motion.at(t * 0.1) for t in range(round(end * 10))]
+
+
+def test_tracks_pass_their_waypoints() -> None:
+    """At a corner by not more than what the arc cuts off; exactly at the ends, where they stop and stay."""
+    track = MOTIONS["track"]
+    assert isinstance(track, Track) and track.duration is not None
+    states = places(track, track.duration)
+    for p in TOWN:
+        north, east = radii(radians(p.latitude), p.height)
+        nearest = min(
+            hypot(
+                (s.latitude - radians(p.latitude)) * north,
+                (s.longitude - radians(p.longitude)) * east,
+                s.height - p.height,
+            )
+            for s in states
+        )  # fmt: skip
+        assert nearest < 6
+    for t in (track.duration, track.duration + 1, YEAR):
+        s = track.at(t)
+        assert s.velocity == (0, 0, 0) and s.rate == (0, 0, 0) and hypot(*s.acceleration) == 0
+        assert dist((degrees(s.latitude), degrees(s.longitude)), TOWN[-1][:2]) < 1e-7
+        assert isclose(s.height, TOWN[-1].height, abs_tol=1e-6)
+
+
+def test_loops_come_back() -> None:
+    loop = MOTIONS["loop"]
+    assert isinstance(loop, Track) and loop.duration is None
+    lap = loop._lap.duration
+    for t in (200.0, 300.5, 415.25):
+        a, b = loop.at(t), loop.at(t + 1000 * lap)
+        assert dist(a.velocity, b.velocity) < 1e-6 and dist(a.quaternion, b.quaternion) < 1e-6
+        assert isclose(a.latitude, b.latitude, abs_tol=1e-13) and isclose(a.height, b.height, abs_tol=1e-6)
+
+
+def test_between_two_attitudes() -> None:
+    a, b = rotation(0.1, -0.2, 0.3)[0], rotation(-0.4, 0.5, 2.6)[0]
+    half = between(a, b, 0.5)
+    assert dist(rotation_vector(a, half), rotation_vector(half, b)) < 1e-12
+    assert dist(between(a, tuple(-x for x in b), 0.5), half) < 1e-12  # type: ignore[arg-type]
+
+
+# --------------------------------------------------------------------------- descriptions
+
+
+def test_motions_by_name(tmp_path: Path) -> None:
+    (tmp_path / "track.csv").write_text("latitude,longitude,height\n# a comment\n\n47, 8, 400\n47.001,8,400,20\n")
+    described = {
+        "standing": Standing(), "standing:heading=90,roll=2": Standing(heading=90, roll=2),
+        "circle:radius=7,speed=3,latitude=-10": Circle(7, 3, -10),
+        f"track:file={tmp_path}/track.csv,speed=12,corner=4,acceleration=1":
+            Track([Waypoint(47, 8, 400), Waypoint(47.001, 8, 400, 20)], 12, corner=4, acceleration=1),
+    }  # fmt: skip
+    for text, motion in described.items():
+        for t in (0.0, 3.7, 20.0):
+            assert parse_motion(text).at(t) == motion.at(t), text
+
+
+def test_a_device_takes_a_motion_by_name() -> None:
+    assert VirtualDevice("3dm-gx5-15", motion="circle:radius=7,speed=3").world.motion.at(1) == Circle(7, 3).at(1)
+    with pytest.raises(MotionError, match="circle: radius=0 must be above 0"):
+        VirtualDevice("3dm-gx5-15", motion="circle:radius=0")
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    {
+        "fly": "'fly' is not a motion; use one of standing, circle, track, replay",
+        "circle:size=3": "circle: unknown option 'size'; it has radius, speed, latitude, longitude, height",
+        "circle:radius": "circle: option 'radius' has no value; write radius=...",
+        "circle:radius=1,radius=2": "circle: option 'radius' is given twice",
+        "circle:radius=big": "circle: radius: 'big' is not a number",
+        "circle:radius=nan": "circle: radius: 'nan' is not a number",
+        "circle:radius=0": "circle: radius=0 must be above 0, and at most 1e6",
+        "circle:speed=1e7": "circle: speed=1e+07 must be above 0, and at most 1e6",
+        "circle:height=1e7":
+            "circle: latitude 47, longitude 8, height 1e+07 is not a place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
+        "standing:latitude=95":
+            "standing: latitude 95, longitude 8, height 500 is not a place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
+        "track": "track: needs a file; write track:file=PATH",
+        "track:file=": "track: needs a file; write track:file=PATH",
+        "track:file=x,loop=maybe": "track: loop: 'maybe' is neither yes nor no",
+        "replay": "replay: needs a file; write replay:file=PATH",
+    }.items(),
+)  # fmt: skip
+def test_descriptions_that_are_wrong(text: str, message: str) -> None:
+    with pytest.raises(MotionError) as error:
+        parse_motion(text)
+    assert str(error.value) == message
+
+
+@pytest.mark.parametrize(
+    "rows, options, message",
+    [
+        ("47,8,400", "", "1 waypoints; a track needs at least 2"),
+        ("47,8,400\n47.1,8,400", ",loop=yes", "2 waypoints; a track that loops needs at least 3"),
+        ("47,8,400\n47.1,eight,400", "", ":2: '47.1,eight,400' has a value that is not a number"),
+        ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and optionally speed"),
+        ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
+        ("47,8,400\n47.1,8,400\n47,8,400", "",
+         "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
+        ("47,8,400\n47.0001,8,500", "",
+         "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
+        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
+        ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
+        ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
+        ("47,8,400\n47.1,8,400", ",speed=-1", "track: speed=-1 must be above 0"),
+    ],
+)  # fmt: skip
+def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message: str) -> None:
+    (tmp_path / "t.csv").write_text(rows)
+    with pytest.raises(MotionError) as error:
+        parse_motion(f"track:file={tmp_path}/t.csv{options}")
+    assert message in str(error.value) and "\n" not in str(error.value)
+
+
+def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
+    with pytest.raises(MotionError, match=r"track: cannot read .*none\.csv"):
+        parse_motion(f"track:file={tmp_path}/none.csv")
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_any_track_is_smooth(seed: int) -> None:
+    """Random waypoints, short legs and sharp corners among them; those that are refused say why."""
+    source = Random(seed)
+    step = source.choice([1e-4, 1e-3, 1e-2])
+    points = [Waypoint(source.uniform(-80, 80), source.uniform(-180, 180), source.uniform(0, 2000))]
+    for _ in range(source.randint(1, 12)):
+        last = points[-1]
+        points.append(
+            Waypoint(
+                last.latitude + source.uniform(-step, step),
+                last.longitude + source.uniform(-step, step),
+                last.height + source.uniform(-300, 300) * step,
+                source.choice([None, source.uniform(0.5, 40)]),
+            )
+        )
+    limit = source.choice([0.3, 2.0, 8.0])
+    try:
+        track = Track(points, 15, acceleration=limit, corner=source.uniform(1, 50), loop=seed % 2 == 1)
+    except MotionError as error:
+        assert any(word in str(error) for word in ("turns back", "climbs", "needs at least")), error
+        return
+    end = track.duration or 300.0
+    at, a = 0.0, track.at(0)
+    assert a.velocity == (0, 0, 0)
+    while at < end:
+        at += STEP * 10
+        b = track.at(at)
+        assert dist(a.velocity, b.velocity) < 4 * limit * STEP * 10, at
+        assert hypot(*rotation_vector(a.quaternion, b.quaternion)) < 0.5, at
+        moved = dist((a.latitude, a.height / 6.4e6), (b.latitude, b.height / 6.4e6)) * 6.4e6
+        assert moved <= (hypot(*a.velocity) + 4 * limit * STEP * 10) * STEP * 10 * 1.01 + 1e-6, at
+        a = b
+        at += source.expovariate(1 / (end / 300))
+        a = track.at(at)

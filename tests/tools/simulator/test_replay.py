@@ -1,0 +1,213 @@
+"""A replayed log: recorded values come back at their times, the rest follows from the recorded motion."""
+
+from __future__ import annotations
+
+from math import dist, isclose
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mip_protocol import PacketBuilder
+from mip_tools.simulator.earth import WEEK
+from mip_tools.simulator.motion import Circle, Motion, MotionError, Replay, Standing, parse_motion
+from mip_tools.simulator.world import START
+from simulated_world import SETS, TYPES, Shown
+
+SECOND = 10**9
+MOTION = ["filter_data.llh_position", "filter_data.ned_velocity", "filter_data.attitude_quaternion"]
+
+
+def record(
+    path: Path, motion: Motion, formats: dict[str, list[str]], seconds: float = 10, rate: int = 20, noise: str = ""
+) -> Shown:
+    """A log of packets, each of these names of sets -> fields, at a rate."""
+    shown = Shown(motion)
+    log = bytearray()
+    for i in range(round(seconds * rate)):
+        shown.at(i / rate)
+        for names in formats.values():
+            number = next(SETS[n] for n in names if not n.startswith("shared."))
+            builder = PacketBuilder(number)
+            for name in names:
+                for data in shown.raw(name):
+                    builder.add(TYPES[name].DESCRIPTOR, data)
+            log += bytes(builder.build()) + noise.encode()
+    path.write_bytes(log)
+    return shown
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> Path:
+    return tmp_path / "log.bin"
+
+
+def test_recorded_values_come_back(log: Path) -> None:
+    """Byte for byte at their times, and until the next one; with what is no packet between them."""
+    recorded = record(
+        log,
+        Circle(),
+        {"f": ["shared.gps_timestamp", *MOTION], "s": ["shared.gps_timestamp", "sensor.scaled_accel"]},
+        noise="$GPGGA,noise*00\r\n",
+    )
+    replay = Replay(log)
+    shown = Shown(replay)
+    assert replay.start == START and replay.duration == pytest.approx(10 - 1 / 20)
+    for t in (0.0, 0.05, 3.35, 9.95):
+        wanted = [recorded.at(t).raw(name) for name in (*MOTION, "sensor.scaled_accel")]
+        for later in (0.0, 0.049):
+            assert [shown.at(t + later).raw(name) for name in (*MOTION, "sensor.scaled_accel")] == wanted
+
+
+def test_other_fields_follow_from_the_recorded_motion(log: Path) -> None:
+    """Accelerations and rates are those between two records, so they agree to what changes within one of them."""
+    circle = Circle(40, 6)
+    record(log, circle, {"f": ["shared.gps_timestamp", *MOTION]})
+    replay = Replay(log)
+    shown = Shown(replay)
+    for t in (0.52, 4.0, 7.77):
+        a, b = replay.at(t), circle.at(t)
+        assert (
+            dist(
+                (a.latitude * 6.4e6, a.longitude * 4.4e6, a.height), (b.latitude * 6.4e6, b.longitude * 4.4e6, b.height)
+            )
+            < 2e-3
+        )
+        assert dist(a.velocity, b.velocity) < 1e-3 and dist(a.quaternion, b.quaternion) < 1e-5
+        assert dist(a.acceleration, b.acceleration) < 0.01 and dist(a.rate, b.rate) < 1e-4
+        assert dist(a.dcm, b.dcm) < 2e-5
+        gyro = shown.at(t)("sensor.scaled_gyro").scaled_gyro
+        assert isclose(gyro[2], 6 / 40, abs_tol=1e-3), "a field that the log lacks"
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ["filter_data.attitude_dcm", "filter_data.ecef_position", "filter_data.ned_velocity"],
+        ["filter_data.euler_angles", "filter_data.llh_position"],
+    ],
+)
+def test_other_forms_of_the_motion(log: Path, names: list[str]) -> None:
+    circle = Circle(40, 6)
+    record(log, circle, {"f": ["shared.gps_timestamp", *names]})
+    a, b = Replay(log).at(5.0), circle.at(5.0)
+    assert dist(a.dcm, b.dcm) < 1e-5 and abs(a.latitude - b.latitude) < 1e-9 and abs(a.height - b.height) < 1e-3
+    assert (dist(a.velocity, b.velocity) < 1e-3) if "filter_data.ned_velocity" in names else a.velocity == (0, 0, 0)
+
+
+def test_gnss_alone_gives_position_and_velocity(log: Path) -> None:
+    circle = Circle(40, 6)
+    record(log, circle, {"g": ["gnss_1.gps_time", "gnss_1.llh_position", "gnss_1.ned_velocity"]}, rate=4)
+    a, b = Replay(log).at(5.0), circle.at(5.0)
+    assert abs(a.latitude - b.latitude) * 6.4e6 < 0.6 and dist(a.velocity, b.velocity) < 0.5, "that of the antenna"
+    assert a.quaternion == (1, 0, 0, 0)
+
+
+def test_a_log_without_a_motion_is_at_rest(log: Path) -> None:
+    record(log, Circle(), {"s": ["shared.reference_timestamp", "sensor.scaled_mag"]})
+    replay = Replay(log)
+    s, rest = replay.at(3), Standing().at(3)
+    assert (s.velocity, s.acceleration, s.rate) == ((0, 0, 0),) * 3 and replay.start is None
+    assert dist((s.latitude, s.longitude, s.height), (rest.latitude, rest.longitude, rest.height)) < 1e-12
+
+
+def test_the_end_of_a_log(log: Path) -> None:
+    """The last values stay and the device rests; or the log begins anew."""
+    recorded = record(log, Circle(), {"f": ["shared.gps_timestamp", *MOTION]})
+    once, again = Shown(Replay(log)), Shown(Replay(log, loop=True))
+    last, third = recorded.at(9.95).raw(MOTION[0]), recorded.at(0.15).raw(MOTION[0])
+    assert once.at(500).raw(MOTION[0]) == last and once.world.state.velocity == (0, 0, 0) == once.world.state.rate
+    assert again.at(9.95 * 7 + 0.16).raw(MOTION[0]) == third
+
+
+def test_times_are_those_of_the_simulation(log: Path) -> None:
+    """Which begins when the log does; the clocks of the log are not replayed."""
+    record(log, Circle(), {"f": ["shared.gps_timestamp", "filter_data.timestamp", *MOTION]})
+    shown = Shown(Replay(log)).at(500)
+    assert shown("filter_data.timestamp").tow == 500 == shown("shared.gps_timestamp").tow
+    assert shown("shared.gps_timestamp").week_number == START // WEEK
+    later = Shown(Replay(log), start=START + WEEK).at(500)
+    assert later("shared.gps_timestamp").week_number == START // WEEK + 1
+
+
+def test_fields_of_one_epoch_come_together(log: Path) -> None:
+    """Satellites have their own time, and all of one time are sent."""
+    shown = Shown(Circle())
+    log_bytes = bytearray()
+    for t in (0.0, 0.5, 1.0):
+        for data in shown.at(t).raw("gnss_1.satellite_status"):
+            log_bytes += bytes(PacketBuilder(0x91).add(0x20, data).build())
+    log.write_bytes(log_bytes)
+    replayed = Shown(Replay(log))
+    for t in (0.0, 0.5, 1.0):
+        assert replayed.at(t + 0.2).raw("gnss_1.satellite_status") == shown.at(t).raw("gnss_1.satellite_status")
+
+
+def test_packets_without_a_time_are_spread(log: Path) -> None:
+    """Between those with one, in equal steps; a clock that is set makes no gap."""
+    shown = Shown(Standing())
+    builder = bytearray()
+    for i in range(20):
+        if i % 10 == 0:
+            shown.world.start += 1000 * SECOND if i else 0
+            builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(i / 10).raw("shared.gps_timestamp")[0]).build())
+        builder += bytes(PacketBuilder(0x80).add(0x17, TYPES["sensor.scaled_pressure"](900.0 + i).encode()).build())
+    builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(2.0).raw("shared.gps_timestamp")[0]).build())
+    log.write_bytes(builder)
+    replay = Replay(log)
+    assert replay.duration == pytest.approx(1.0), "the jump of 1000 s counts nothing"
+    wanted: Any = TYPES["sensor.scaled_pressure"]
+    shown_at = [wanted.decode(replay.recorded(0x80, 0x17, i / 10 + 0.095)[0]).scaled_pressure for i in range(10)]
+    assert shown_at == [910.0 + i for i in range(10)]
+
+
+def test_a_log_without_times_needs_a_rate(log: Path) -> None:
+    log.write_bytes(
+        b"".join(
+            bytes(PacketBuilder(0x80).add(0x17, TYPES["sensor.scaled_pressure"](float(i)).encode()).build())
+            for i in range(50)
+        )
+    )
+    with pytest.raises(MotionError) as error:
+        Replay(log)
+    assert str(error.value) == f"replay: {log} has no times; say how often its packets come: rate=HZ"
+    replay = parse_motion(f"replay:file={log},rate=10,loop=yes")
+    assert isinstance(replay, Replay) and replay.duration == pytest.approx(4.9)
+    assert TYPES["sensor.scaled_pressure"].decode(replay.recorded(0x80, 0x17, 2.05)[0]).scaled_pressure == 20  # type: ignore[attr-defined]
+
+
+def test_a_clock_that_is_not_valid_runs_nevertheless(log: Path) -> None:
+    """As on 5-series devices, which have no bits for it; only the week says when the log begins."""
+    stamp: Any = TYPES["sensor.gps_timestamp"]
+    for week, start in ((0, None), (2300, 2300 * WEEK + 7 * SECOND)):
+        log.write_bytes(
+            b"".join(bytes(PacketBuilder(0x80).add(0x12, stamp(7.0 + i, week, 0).encode()).build()) for i in range(4))
+        )
+        replay = Replay(log)
+        assert replay.duration == 3 and replay.start == start
+
+
+def test_invalid_values_say_nothing_of_the_motion(log: Path) -> None:
+    kind: Any = TYPES["filter_data.llh_position"]
+    stamp: Any = TYPES["filter_data.timestamp"]
+    log.write_bytes(b"".join(
+        bytes(
+            PacketBuilder(0x82)
+            .add(0x11, stamp(100.0 + i, 2300, 1).encode())
+            .add(0x01, kind(10.0 * i, 20.0, 0.0, i % 2).encode())
+            .build()
+        )
+        for i in range(4)
+    ))  # fmt: skip
+    replay = Replay(log)
+    assert [round(replay.at(t).latitude * 57.29577951308232, 6) for t in (0, 1, 2, 3)] == [10, 10, 20, 30]
+
+
+@pytest.mark.parametrize(
+    "content, message",
+    [(None, "replay: cannot read "), (b"", "has no packets of data"), (b"hello" * 99, "has no packets of data")],
+)
+def test_logs_that_are_none(log: Path, content: bytes | None, message: str) -> None:
+    if content is not None:
+        log.write_bytes(content)
+    with pytest.raises(MotionError, match=message):
+        parse_motion(f"replay:file={log}")

@@ -1,0 +1,422 @@
+"""What data fields show agrees: attitude, motion, surroundings, time, and with the motion that they come from."""
+
+from __future__ import annotations
+
+from datetime import datetime, timedelta
+from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
+from typing import Any
+
+import pytest
+from mip_tools.simulator import earth
+from mip_tools.simulator.motion import Circle, Motion, Standing, Track, Waypoint
+from mip_tools.simulator.world import START
+from simulated_world import Shown
+
+G = 9.80665
+FLOAT = 1.2e-7  # relative error of a float of four bytes, twice what rounding makes of it
+TURNED = (0.0, 1.0, 0.0, -0.6, 0.0, 0.8, 0.8, 0.0, 0.6)  # a rotation of the sensor frame into the vehicle frame
+
+MOTIONS: dict[str, Motion] = {
+    "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
+    "circle": Circle(20, 5),
+    "track": Track([Waypoint(47, 8, 400), Waypoint(47.001, 8.0005, 415), Waypoint(47.0012, 8.002, 405)], 12, loop=True),
+}
+TIMES = (0.5, 3.0, 7.77, 21.0, 60.123)
+
+
+@pytest.fixture(params=[None, TURNED], ids=["sensor frame", "vehicle frame"])
+def turn(request: pytest.FixtureRequest) -> Any:
+    return request.param
+
+
+@pytest.fixture(params=MOTIONS)
+def shown(request: pytest.FixtureRequest, turn: Any) -> Shown:
+    found = Shown(MOTIONS[request.param])
+    if turn:
+        found.world.sensor_to_vehicle = turn
+    return found
+
+
+def times(m: Any, v: Any) -> tuple[float, ...]:
+    return tuple(sum(m[3 * i + j] * v[j] for j in range(3)) for i in range(3))
+
+
+def transposed(m: Any) -> tuple[float, ...]:
+    return tuple(m[3 * j + i] for i in range(3) for j in range(3))
+
+
+def product(a: Any, b: Any) -> tuple[float, ...]:
+    return tuple(sum(a[3 * i + k] * b[3 * k + j] for k in range(3)) for i in range(3) for j in range(3))
+
+
+def close(a: Any, b: Any, scale: float) -> bool:
+    """Equal up to the rounding of floats of this size."""
+    return dist(a, b) <= scale * 2 * FLOAT
+
+
+# --------------------------------------------------------------------------- attitude
+
+
+def of_euler(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
+    """NED to vehicle, as rotations about one axis after the other."""
+    cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
+    about_x = (1, 0, 0, 0, cr, sr, 0, -sr, cr)
+    about_y = (cp, 0, -sp, 0, 1, 0, sp, 0, cp)
+    about_z = (cy, sy, 0, -sy, cy, 0, 0, 0, 1)
+    return product(about_x, product(about_y, about_z))
+
+
+def of_quaternion(q: Any) -> tuple[float, ...]:
+    """The matrix of v -> q^-1 * v * q, a unit vector at a time."""
+    columns = [_turned(q, v) for v in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    return tuple(columns[j][i] for i in range(3) for j in range(3))
+
+
+def _turned(q: Any, v: Any) -> Any:
+    def hamilton(a: Any, b: Any) -> Any:
+        (p, x, y, z), (r, i, j, k) = a, b
+        return (
+            p * r - x * i - y * j - z * k, p * i + x * r + y * k - z * j,
+            p * j - x * k + y * r + z * i, p * k + x * j - y * i + z * r,
+        )  # fmt: skip
+
+    inverse = (q[0], -q[1], -q[2], -q[3])
+    return hamilton(hamilton(inverse, (0, *v)), q)[1:]
+
+
+def test_attitude(shown: Shown) -> None:
+    for t in TIMES:
+        shown.at(t)
+        dcm = shown("filter_data.attitude_dcm").dcm
+        e = shown("filter_data.euler_angles")
+        assert close(of_euler(e.roll, e.pitch, e.yaw), dcm, 4)
+        assert close(of_quaternion(shown("filter_data.attitude_quaternion").q), dcm, 4)
+        assert close(shown("sensor.comp_orientation_matrix").m, dcm, 1)
+        assert close(of_quaternion(shown("sensor.comp_quaternion").q), dcm, 4)
+        c = shown("sensor.comp_euler_angles")
+        assert (c.roll, c.pitch, c.yaw) == (e.roll, e.pitch, e.yaw)
+        body = shown.world.state.dcm
+        assert close(product(shown.world.sensor_to_vehicle, body), dcm, 2), "v_vehicle = turn * v_sensor"
+
+
+def test_standing_shows_the_angles_that_it_was_given() -> None:
+    e = Shown(MOTIONS["standing"]).at(1)("filter_data.euler_angles")
+    assert close((e.roll, e.pitch, e.yaw), (radians(-7), radians(12), radians(200 - 360)), 3)
+
+
+# --------------------------------------------------------------------------- inertial
+
+
+def test_accelerations(shown: Shown) -> None:
+    for t in TIMES:
+        shown.at(t)
+        dcm = shown("filter_data.attitude_dcm").dcm
+        force = shown("filter_data.comp_accel").accel
+        gravity = shown("filter_data.gravity_vector").gravity
+        linear = shown("filter_data.linear_accel").accel
+        magnitude = shown("filter_data.wgs84_gravity_magnitude").gravity_magnitude
+        assert isclose(hypot(*gravity), magnitude, rel_tol=FLOAT)
+        assert close(gravity, times(dcm, (0, 0, magnitude)), 20)
+        assert close([f + g for f, g in zip(force, gravity)], linear, 20)
+        assert close(linear, times(dcm, shown.world.state.acceleration), 20)
+        assert close([G * x for x in shown("sensor.scaled_accel").scaled_accel], force, 30)
+        up = shown("sensor.up_vector").stabilized_accel
+        turned = times(shown.world.sensor_to_vehicle, [-G * x for x in up])
+        assert close(turned, gravity, 30)
+
+
+def test_rates(shown: Shown) -> None:
+    for t in TIMES:
+        rate = shown.at(t)("filter_data.comp_angular_rate").gyro
+        assert close(shown("sensor.scaled_gyro").scaled_gyro, rate, 1)
+        assert close(rate, times(shown.world.sensor_to_vehicle, shown.world.state.rate), 2)
+
+
+def test_integrals_of_the_rate_turn_the_attitude(shown: Shown) -> None:
+    """Ten rotations of 0.1 s make the change of the attitude in a second."""
+    shown.at(5.0).raw("sensor.delta_theta")
+    dcm = shown("filter_data.attitude_dcm").dcm
+    for i in range(10):
+        x, y, z = shown.at(5.1 + i / 10)("sensor.delta_theta").delta_theta
+        angle = hypot(x, y, z)
+        half = sin(angle / 2) / angle if angle else 0.5
+        dcm = product(of_quaternion((cos(angle / 2), half * x, half * y, half * z)), dcm)
+    assert close(dcm, shown("filter_data.attitude_dcm").dcm, 30)
+
+
+def test_integrals_of_the_acceleration_change_the_velocity(shown: Shown) -> None:
+    """v1 = v0 + C^T * dv + g * t, where C is the attitude at the start; to 0.1 mm/s."""
+    velocity = shown.at(5.0).world.state.velocity
+    shown.raw("sensor.delta_velocity")
+    for i in range(10):
+        dcm, g = shown("filter_data.attitude_dcm").dcm, shown.world.gravity
+        shown.at(5.1 + i / 10)
+        change = times(transposed(dcm), [G * x for x in shown("sensor.delta_velocity").delta_velocity])
+        velocity = tuple(v + c + down for v, c, down in zip(velocity, change, (0, 0, g * 0.1)))
+    n = shown("filter_data.ned_velocity")
+    assert dist(velocity, (n.north, n.east, n.down)) < 1e-4
+
+
+def test_the_update_matrix_is_the_change_of_the_attitude(shown: Shown) -> None:
+    shown.at(5.0).raw("sensor.comp_orientation_update_matrix")
+    before = shown("filter_data.attitude_dcm").dcm
+    update = shown.at(6.0)("sensor.comp_orientation_update_matrix").m
+    assert close(product(update, before), shown("filter_data.attitude_dcm").dcm, 6)
+
+
+def test_biases_are_in_the_sensors_until_their_setting_removes_them() -> None:
+    shown = Shown(Standing(pitch=20), exact=False).at(1)
+    shown.world.noise = 0
+    bias = shown("filter_data.gyro_bias").bias
+    assert 0 < hypot(*bias) < 0.001 and dist(shown("sensor.scaled_gyro").scaled_gyro, bias) < 0.006
+    accel, gyro = shown("filter_data.accel_bias").bias, bias
+    shown.world.accel_bias, shown.world.gyro_bias = accel, gyro
+    assert hypot(*shown("filter_data.gyro_bias").bias) < 1e-9 > hypot(*shown("filter_data.accel_bias").bias)
+
+
+def test_noise_is_small_and_has_no_mean() -> None:
+    tilted = Standing(heading=30, pitch=20, roll=40)  # no axis measures nothing
+    noisy, exact = Shown(tilted, exact=False, seed=5), Shown(tilted)
+    noisy.world.accel_bias, noisy.world.gyro_bias = noisy.world.accel_bias_left, noisy.world.gyro_bias_left
+    for name, attribute, sigma in (
+        ("sensor.scaled_accel", "scaled_accel", 0.01 / G),
+        ("sensor.scaled_gyro", "scaled_gyro", 0.001),
+        ("sensor.scaled_mag", "scaled_mag", 0.0005),
+    ):
+        true = getattr(exact.at(1)(name), attribute)
+        errors = [x - t for i in range(400) for x, t in zip(getattr(noisy.at(i / 100)(name), attribute), true)]
+        mean = sum(errors) / len(errors)
+        assert abs(mean) < 4 * sigma / sqrt(len(errors))
+        assert isclose(sqrt(sum(e * e for e in errors) / len(errors)), sigma, rel_tol=0.15)
+
+
+# --------------------------------------------------------------------------- position and velocity
+
+
+def ecef(latitude: float, longitude: float, height: float) -> tuple[float, float, float]:
+    e2 = 6.69437999014e-3
+    n = 6378137.0 / sqrt(1 - e2 * sin(latitude) ** 2)
+    across = (n + height) * cos(latitude)
+    return across * cos(longitude), across * sin(longitude), (n * (1 - e2) + height) * sin(latitude)
+
+
+@pytest.mark.parametrize("source", ["filter_data", "gnss_1", "gnss_2"])
+def test_position_and_velocity(shown: Shown, source: str) -> None:
+    for t in TIMES:
+        shown.at(t)
+        p = shown(f"{source}.llh_position")
+        fixed = shown(f"{source}.ecef_position").position
+        assert dist(ecef(radians(p.latitude), radians(p.longitude), p.ellipsoid_height), fixed) < 1e-5
+        assert dist(earth.llh(*fixed), (radians(p.latitude), radians(p.longitude), p.ellipsoid_height)) < 1e-5
+        v = shown(f"{source}.ned_velocity")
+        ned = (v.north, v.east, v.down) if source == "filter_data" else v.velocity
+        moves = shown(f"{source}.ecef_velocity").velocity
+        assert isclose(hypot(*moves), hypot(*ned), rel_tol=1e-6, abs_tol=1e-6)
+        before = shown.at(t - 0.01)(f"{source}.ecef_position").position
+        after = shown.at(t + 0.01)(f"{source}.ecef_position").position
+        assert dist([(b - a) / 0.02 for a, b in zip(before, after)], moves) < 0.02, "2 m/s^2 for 0.01 s"
+
+
+def test_gnss_speed_and_course(shown: Shown) -> None:
+    for t in TIMES:
+        v = shown.at(t)("gnss_1.ned_velocity")
+        north, east, _down = v.velocity
+        assert isclose(v.speed, hypot(*v.velocity), rel_tol=FLOAT, abs_tol=1e-9)
+        assert isclose(v.ground_speed, hypot(north, east), rel_tol=FLOAT, abs_tol=1e-9)
+        if v.ground_speed > 0.02:
+            assert isclose(v.heading, degrees(atan2(east, north)) % 360, rel_tol=1e-6)
+        else:
+            dcm = shown("filter_data.attitude_dcm").dcm
+            assert isclose(v.heading, degrees(atan2(dcm[1], dcm[0])) % 360, rel_tol=1e-6), "at rest, the heading"
+
+
+def test_two_antennas_stand_along_the_heading() -> None:
+    """From the second to the first one it is a metre, in the direction that the dual antenna status shows."""
+    for motion in MOTIONS.values():
+        shown = Shown(motion).at(13.0)
+        p = shown("gnss_1.llh_position")
+        line = [b - a for a, b in zip(shown("gnss_1.ecef_position").position, shown("gnss_2.ecef_position").position)]
+        north, east, _down = earth.to_ned(radians(p.latitude), radians(p.longitude), tuple(line))  # type: ignore[arg-type]
+        status = shown("filter_data.gnss_dual_antenna_status")
+        assert isclose(hypot(*line), 1, abs_tol=1e-6)
+        assert (
+            hypot(sin(status.heading) - east / hypot(north, east), cos(status.heading) - north / hypot(north, east))
+            < 1e-5
+        )
+        assert status.heading == shown("filter_data.euler_angles").yaw
+
+
+def test_relative_position() -> None:
+    """From the place of the start, to a millimetre over the size of the circle."""
+    shown = Shown(Circle(30, 5))
+    assert dist(shown.at(0)("filter_data.ned_relative_position").relative_position, (0, 0, 0)) < 1e-6
+    n, e, d = shown.at(pi * 30 / 5)("filter_data.ned_relative_position").relative_position
+    assert dist((n, e, d), (-60, 0, 0)) < 1e-2
+
+
+# --------------------------------------------------------------------------- surroundings
+
+
+@pytest.mark.parametrize("height", [-30.0, 0.0, 455.0, 3000.0, 10_900.0])
+def test_pressure_follows_from_the_height(height: float) -> None:
+    """By the usual formula of the troposphere, which takes a geopotential height, to 0.05 %."""
+    shown = Shown(Standing(height=height + 45)).at(1)
+    pressure = shown("sensor.scaled_pressure").scaled_pressure
+    assert isclose(pressure, 1013.25 * (1 - 2.25577e-5 * height / (1 + height / 6.357e6)) ** 5.25588, rel_tol=5e-4)
+    air = shown("filter_data.standard_atmosphere")
+    assert isclose(air.standard_pressure, pressure, rel_tol=FLOAT)
+    assert isclose(air.geometric_altitude, height, abs_tol=1e-3)
+    assert shown("filter_data.pressure_altitude").pressure_altitude == air.geopotential_altitude
+    assert isclose(air.standard_density, pressure * 100 / (287.05 * (air.standard_temperature + 273.15)), rel_tol=1e-4)
+    assert shown("gnss_1.llh_position").msl_height == pytest.approx(height + 0.2, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "geopotential, temperature, pressure",
+    [(11_000, -56.5, 226.32), (20_000, -56.5, 54.749), (32_000, -44.5, 8.6802), (47_000, -2.5, 1.10906),
+     (71_000, -58.5, 0.039564)],
+)  # fmt: skip
+def test_layers_of_the_standard_atmosphere(geopotential: float, temperature: float, pressure: float) -> None:
+    """The tables of 1976; the layers meet."""
+    for h in (geopotential - 0.01, geopotential):
+        t, p, _ = earth.atmosphere(h)
+        assert isclose(t, temperature, abs_tol=1e-3) and isclose(p, pressure, rel_tol=2e-5)
+
+
+def test_gravity() -> None:
+    """WGS84: 9.7803253 at the equator, 9.8321849 at the poles, less by 3.086e-6 per metre of height."""
+    assert isclose(earth.gravity(0, 0), 9.7803253359, rel_tol=1e-9)
+    assert isclose(earth.gravity(pi / 2, 0), 9.8321849379, rel_tol=1e-8)
+    assert isclose(earth.gravity(0.8, 0) - earth.gravity(0.8, 1000), 3.086e-3, rel_tol=1e-3)
+
+
+def test_magnetic_field(shown: Shown) -> None:
+    for t in TIMES:
+        shown.at(t)
+        m = shown("filter_data.magnetic_model")
+        field = (m.intensity_north, m.intensity_east, m.intensity_down)
+        assert close(times(shown("filter_data.attitude_dcm").dcm, field), shown("sensor.scaled_mag").scaled_mag, 1)
+        assert isclose(m.declination, atan2(field[1], field[0]), rel_tol=1e-6)
+        assert isclose(m.inclination, atan2(field[2], hypot(*field[:2])), rel_tol=1e-6)
+        turned = times(shown.world.sensor_to_vehicle, shown("sensor.north_vector").stabilized_mag)
+        assert close(turned, shown("sensor.scaled_mag").scaled_mag, 1)
+
+
+def test_the_magnetic_dipole() -> None:
+    """It is a gradient: down at the magnetic pole in the north, level at its equator, 0.3 to 0.6 gauss."""
+    n, e, d = earth.magnetic_field(radians(80.65), radians(-72.68), 0)
+    assert hypot(n, e) < 0.002 and 0.58 < d < 0.61
+    for longitude in range(-180, 180, 30):
+        assert 0.28 < hypot(*earth.magnetic_field(0, radians(longitude), 0)) < 0.37
+    h = 1e-5
+    for latitude, longitude in ((0.3, 1.0), (-0.9, -2.0), (1.2, 0.1)):
+        turning = (
+            earth.magnetic_field(latitude, longitude + h, 0)[0] - earth.magnetic_field(latitude, longitude - h, 0)[0]
+        ) / (2 * h)
+        a, b = (earth.magnetic_field(x, longitude, 0)[1] * cos(x) for x in (latitude + h, latitude - h))
+        assert isclose(turning, (a - b) / (2 * h), abs_tol=1e-7), "no curl"
+
+
+# --------------------------------------------------------------------------- time
+
+
+def test_times_of_one_moment() -> None:
+    for seconds in (0.0, 12.5, 604_799.999, 31_536_000.001):
+        shown = Shown(Standing()).at(seconds)
+        gps = START + round(seconds * 1e9)
+        stamps = [
+            shown(f"{name}")
+            for name in ("shared.gps_timestamp", "filter_data.timestamp", "gnss_1.gps_time", "sensor.gps_timestamp")
+        ]
+        for stamp in stamps:
+            assert round(stamp.tow * 1e9) == gps % (604_800 * 10**9) // 1 or isclose(
+                stamp.tow, gps / 1e9 % 604_800, abs_tol=2e-7
+            )
+            assert stamp.week_number == gps // (604_800 * 10**9)
+        assert shown("shared.external_timestamp").nanoseconds == gps
+        assert shown("shared.reference_timestamp").nanoseconds == round(seconds * 1e9)
+        u = shown("gnss_1.utc_time")
+        utc = datetime(1980, 1, 6) + timedelta(seconds=gps // 10**9 - 18, milliseconds=gps % 10**9 // 10**6)
+        assert datetime(u.year, u.month, u.day, u.hour, u.min, u.sec, u.msec * 1000) == utc
+        assert shown("gnss_1.gps_leap_seconds").leap_seconds == 18
+        assert dist([shown("filter_data.gnss_dual_antenna_status").tow], [stamps[0].tow]) < 0.04
+
+
+def test_the_refresh_bit_toggles_each_second() -> None:
+    shown = Shown(Standing())
+    bits = [
+        bool(
+            shown.at(t / 2)("sensor.gps_timestamp").valid_flags.TIME_REFRESH & shown("sensor.gps_timestamp").valid_flags
+        )
+        for t in range(8)
+    ]
+    assert bits == [False, False, True, True] * 2
+
+
+@pytest.mark.parametrize(
+    "utc, behind",
+    [("1980-01-06", 0), ("1981-06-30T23:59:59", 0), ("1981-07-01", 1), ("2005-12-31T23:59:59", 13), ("2006-01-01", 14),
+     ("2016-12-31T23:59:59", 17), ("2017-01-01", 18), ("2030-05-05", 18)],
+)  # fmt: skip
+def test_leap_seconds(utc: str, behind: int) -> None:
+    time = datetime.fromisoformat(utc)
+    gps = earth.from_utc(time)
+    assert gps == ((time - datetime(1980, 1, 6)) // timedelta(seconds=1) + behind) * 10**9
+    assert earth.leap_seconds(gps) == behind and earth.utc(gps) == time
+
+
+def test_a_leap_second_repeats_the_last_one() -> None:
+    begin = earth.from_utc(datetime(2017, 1, 1))
+    assert [earth.utc(begin + d * 10**9).second for d in (-2, -1, 0, 1)] == [59, 59, 0, 1]
+
+
+def test_counters_since_the_last_output() -> None:
+    shown = Shown(Standing())
+    assert shown.at(1)("shared.delta_ticks").ticks == 1, "the first counts from one base period before"
+    assert shown("shared.reference_time_delta").dt_nanos == 1_000_000_000, "no base rate is known for the shared set"
+    for t, before in ((1.25, 1.0), (4.0, 1.25)):
+        assert shown.at(t)("shared.reference_time_delta").dt_nanos == round((t - before) * 1e9)
+        assert isclose(shown("shared.delta_time").seconds, t - before if t > 1.25 else 1.0)
+
+
+def test_two_deltas_of_external_time_share_one_counter() -> None:
+    shown = Shown(Standing())
+    shown.at(1).raw("shared.delta_time")
+    assert shown.at(3)("shared.external_time_delta").dt_nanos == 2_000_000_000
+    assert shown.at(4)("shared.delta_time").seconds == 1.0
+
+
+def test_a_restart_begins_the_reference_clock_anew() -> None:
+    shown = Shown(Standing())
+    shown.at(10).raw("shared.reference_time_delta")
+    shown.world.restart()
+    assert shown("shared.reference_timestamp").nanoseconds == 0
+    assert shown.at(10.5)("shared.reference_time_delta").dt_nanos == 500_000_000
+    assert shown("shared.gps_timestamp").tow == 10.5, "the time of the world goes on"
+
+
+def test_the_time_can_be_set() -> None:
+    shown = Shown(Standing()).at(2.25)
+    shown.world.set_gps(week=2300)
+    shown.world.set_gps(tow=1000)
+    s = shown("shared.gps_timestamp")
+    assert (s.week_number, s.tow) == (2300, 1000.25)
+
+
+# --------------------------------------------------------------------------- determinism
+
+
+def test_the_same_seed_gives_the_same_bytes() -> None:
+    names = ("sensor.scaled_accel", "sensor.scaled_pressure", "gnss_1.raw", "filter_data.gyro_bias")
+
+    def run(seed: int, between: bool) -> list[list[bytes]]:
+        shown = Shown(Circle(), exact=False, seed=seed)
+        found = []
+        for i in range(20):
+            if between:
+                shown.at(i - 0.3).at(i - 0.1)
+                assert shown.world.state
+            found += [shown.at(i).raw(name) for name in names]
+        return found
+
+    assert run(1, False) == run(1, True) != run(2, False)

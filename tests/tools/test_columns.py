@@ -1,0 +1,995 @@
+"""Columns of logs hold what objects hold: every field, any bytes, however a log is cut."""
+
+from __future__ import annotations
+
+import copy
+import ctypes
+import gzip
+import importlib
+import io
+import os
+import pickle
+import random
+import re
+import shutil
+import struct
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from itertools import accumulate
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen import model as m
+from mipgen.lower import codec
+from packages import REAL, real
+from packages import mip as invented
+from random_values import chance, drawn
+from support import PYTHONPATH, ROOT, SPECS, all_fields, heavy, later, model, need, rounds
+
+np, pyarrow, dataset, parquet = (later(name) for name in ("numpy", "pyarrow", "pyarrow.dataset", "pyarrow.parquet"))
+
+PACKAGES = {"real": real, "invented": invented}
+
+
+def packet(number: int, *fields: tuple[int, bytes]) -> bytes:
+    payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
+    head = bytes((0x75, 0x65, number, len(payload))) + payload
+    return head + bytes((sum(head) & 255, sum(accumulate(head)) & 255))
+
+
+def parsed(package: Any, stream: bytes) -> list[tuple[int, Any]]:
+    """What `Parser` finds, and where."""
+    parser, found, at = package.parser.Parser(), [], 0
+    for part in (parser.feed(stream), parser.flush()):
+        for one in part:
+            at = stream.index(bytes(one), at)
+            found.append((at, one))
+            at += len(one)
+    return found
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The compiled code, which both packages share."""
+    build_module = importlib.import_module(f"{real.mip_tools.name}.columns.build")
+    path: Path = build_module.build(tmp_path_factory.mktemp("kernel"))
+    return path
+
+
+def use(monkeypatch: pytest.MonkeyPatch, path: Path | None) -> None:
+    """All that follows is with NumPy alone, or with the compiled code."""
+    for package in PACKAGES.values():
+        kernel = None if path is None else package.mip_tools.columns.native.Kernel(path)
+        monkeypatch.setattr(package.mip_tools.columns.native, "kernel", kernel)
+
+
+@pytest.fixture(params=["numpy", "compiled"])
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, request.getfixturevalue("built") if request.param == "compiled" else None)
+
+
+# --------------------------------------------------------------------------- columns and objects
+
+
+def leaves(package: Any, parameters: Any, value: Any, prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """What a column has in a row: by the object, and by the parameters."""
+    structure = package.field.Structure
+    for p in parameters:
+        if p.kind == "counter" or p.constant is not None:
+            continue
+        held, name = None if value is None else getattr(value, p.attribute), prefix + p.attribute
+        if p.kind == "switch":
+            tag = None if value is None else getattr(value, p.tag)
+            for own, case in p.cases.items():
+                if case is not None:
+                    chosen = held if own == tag else None
+                    yield from leaf(package, structure, case, chosen, f"{name}.{case.attribute}")
+        else:
+            yield from leaf(package, structure, p, held, name)
+
+
+def leaf(package: Any, structure: Any, p: Any, held: Any, name: str) -> Iterator[tuple[str, Any]]:
+    nested = p.type is not None and issubclass(p.type, structure)
+    if not nested:
+        yield name, plain(p, held)
+    elif p.length is None:
+        yield from leaves(package, package.reflection.info(p.type).parameters, held, name + ".")
+    else:
+        parameters = package.reflection.info(p.type).parameters
+        names = [key for key, _ in leaves(package, parameters, None, name + ".")]
+        rows = None if held is None else [dict(leaves(package, parameters, item, name + ".")) for item in held]
+        for key in names:
+            yield key, None if rows is None else [row[key] for row in rows]
+
+
+def plain(p: Any, value: Any) -> Any:
+    """A value as bits, numbers and lists."""
+    if value is None or isinstance(value, str):
+        return value
+    if p.scalar == "bits":
+        return list(int(value).to_bytes(p.size, "little"))
+    if isinstance(value, (tuple, list)):
+        return [plain(p, item) for item in value]
+    if p.scalar == "float":
+        return real.codec.single_to_bits(value)
+    return struct.unpack(">Q", struct.pack(">d", value))[0] if p.scalar == "double" else int(value)
+
+
+def cell(column: Any, row: int) -> Any:
+    """The same from a column."""
+    if hasattr(column, "offsets"):
+        if column.mask is not None and column.mask[row]:
+            return None
+        return [cell(column.values, i) for i in range(int(column.offsets[row]), int(column.offsets[row + 1]))]
+    mask = np.ma.getmaskarray(column)[row] if isinstance(column, np.ma.MaskedArray) else False
+    if np.any(mask):
+        return None
+    value = np.asarray(column)[row]
+    if isinstance(value, str):
+        return value
+    bits = {"f4": "u4", "f8": "u8"}.get(np.asarray(column).dtype.str[1:])
+    value = np.asarray(value).view(bits) if bits else np.asarray(value)
+    return value.tolist()
+
+
+def expected(package: Any, stream: bytes) -> dict[Any, list[tuple[int, int, int, Any]]]:
+    """Type -> packet number, offset, set and object of each field."""
+    found: dict[Any, list[tuple[int, int, int, Any]]] = {}
+    for number, (at, one) in enumerate(parsed(package, stream)):
+        for value in package.registry.decode_packet(one):
+            if isinstance(value, package.field.Field):
+                found.setdefault(type(value), []).append((number, at, one.set, value))
+    return found
+
+
+def compare(package: Any, stream: bytes) -> int:
+    """All columns of a log against all objects; the number of values."""
+    log, counted = package.mip_tools.columns.read_log(stream), package.mip_tools.columns.read_log(stream)
+    packets = parsed(package, stream)
+    assert counted.packets == len(packets)  # before their fields are known; in the other log, together with them
+    assert counted.skipped == len(stream) - sum(len(one) for _, one in packets)
+    wanted, seen = expected(package, stream), 0
+    known = {kind for _, kind in package.registry.all_types()}
+    for kind in wanted:
+        assert kind in known
+    for kind in known:
+        rows = wanted.get(kind, [])
+        column = log[kind]
+        assert len(column) == len(rows), kind
+        assert column.packet.tolist() == [row[0] for row in rows]
+        assert column.offset.tolist() == [row[1] for row in rows]
+        assert column.set.tolist() == [row[2] for row in rows]
+        assert list(map(repr, column.objects())) == [repr(value) for *_, value in rows]
+        for i, (*_, value) in enumerate(rows):
+            held = dict(leaves(package, package.reflection.info(kind).parameters, value))
+            assert list(held) == list(column.names) == list(column.parameters)
+            for name, want in held.items():
+                assert cell(column[name], i) == want, (kind, name, i)
+                seen += 1
+        if not rows:
+            empty = list(dict(leaves(package, package.reflection.info(kind).parameters, None)))
+            assert list(column.names) == empty
+    assert {(c.set, c.type): c.count for c in counted.types() if c.type} == {
+        (s, k): sum(row[2] == s for row in rows) for k, rows in wanted.items() for s in {row[2] for row in rows}
+    }
+    return seen
+
+
+@cache
+def fields(spec: str, examples: int) -> list[tuple[int, bytes]]:
+    """Every field with random values: set and bytes."""
+    of, found = model(spec), []
+    for f in all_fields(of):
+        for values in drawn(f, examples):
+            number = f.set if f.set not in (0, m.SHARED_SET) else 0x01 if not f.set else 0x80
+            data = codec.encode(f, values)
+            if len(data) <= 253:
+                found.append((number, bytes((len(data) + 2, f.descriptor)) + data))
+    return found
+
+
+def streams(spec: str, seed: int, count: int) -> bytes:
+    """Packets with random fields, many of them damaged, with noise in between."""
+    rng, out = chance(seed), bytearray()
+    every = fields(spec, 8)
+    by_set: dict[int, list[bytes]] = {}
+    for number, field in every:
+        by_set.setdefault(number, []).append(field)
+    for _ in range(count):
+        number = rng.choice(list(by_set))
+        payload = b""
+        for _ in range(rng.randrange(5)):
+            field = bytearray(rng.choice(by_set[number]))
+            if rng.random() < 0.3:
+                field[rng.randrange(len(field))] = rng.randrange(256)
+            if rng.random() < 0.2:
+                field[0] = max(2, min(255, field[0] + rng.randrange(-3, 4)))
+                del field[field[0] :]
+                field += rng.randbytes(field[0] - len(field))
+            if len(payload) + len(field) <= 255:
+                payload += field
+        if rng.random() < 0.1:
+            payload += rng.randbytes(rng.randrange(min(4, 256 - len(payload))))
+        head = bytes((0x75, 0x65, number, len(payload))) + payload
+        one = bytearray(head + bytes((sum(head) & 255, sum(accumulate(head)) & 255)))
+        if rng.random() < 0.1:
+            one[rng.randrange(len(one))] ^= 1 << rng.randrange(8)
+        if rng.random() < 0.05:
+            del one[rng.randrange(len(one)) :]
+        out += one
+        if rng.random() < 0.1:
+            out += rng.choice([b"u", b"ue", b"ue\x80\xff", b"$GPGGA,1*00\r\n", rng.randbytes(9), packet(0, (1, b""))])
+    return bytes(out)
+
+
+@pytest.mark.usefixtures("way")
+@pytest.mark.parametrize("many", [1, 64])
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Value by value, bit by bit; `many` is 1 to take the way of frequent layouts for all packets."""
+    package = PACKAGES[spec]
+    monkeypatch.setattr(package.mip_tools.columns.walk, "_MANY", many)
+    monkeypatch.setattr(package.mip_tools.columns.scan, "_MANY", many)
+    assert compare(package, streams(spec, seed=many, count=rounds(120, 3000))) > 500
+
+
+@pytest.mark.usefixtures("way")
+def test_short_packets_keep_their_bytes() -> None:
+    """Those of one word, whose checksums are computed in place."""
+    assert (
+        compare(real, b"".join(packet(0x01, (i % 2 + 1, b"")) + packet(0x80, (0xD0, b"x")) for i in range(200))) == 200
+    )
+
+
+@pytest.mark.usefixtures("way")
+def test_fields_at_the_end_of_full_packets() -> None:
+    """Their data begin more than 255 bytes behind the beginning of the packet."""
+    full = [(1, b"")] * 124 + [(1, bytes(5))]
+    ends = [[*full[:124], (1, b""), (2, bytes(3))], [*full[:124], (2, bytes(3)), (1, b"")], [(1, b"")] * 127]
+    assert all(250 < len(packet(0x01, *fields)) - 6 <= 255 for fields in ends)
+    compare(real, b"".join(packet(0x01, *fields) for fields in ends * 100))
+    column = real.mip_tools.columns.read_log(packet(0x01, *[(1, b"")] * 127) + packet(0x01, (1, b"")))["base.ping"]
+    assert column.packet.tolist() == [0] * 127 + [1]
+
+
+@pytest.mark.usefixtures("way")
+@pytest.mark.parametrize("layouts", [2, 30])
+def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> None:
+    """Few layouts, which are compared with each other, and more than are compared."""
+    rng = random.Random(layouts)
+    kinds = [[rng.choice([4, 5, 6, 7, 8, 0x63]) for _ in range(3)] for _ in range(layouts)]
+    out = []
+    for _ in range(rounds(350, 3000)):
+        payload = bytearray(b"".join(bytes((14, d)) + rng.randbytes(12) for d in rng.choice(kinds)))
+        if rng.random() < 0.05:
+            payload[rng.choice([0, 14, 28])] = rng.choice([0, 1, 2, 13, 15, 28, 30, 255])
+        head = b"ue\x80" + bytes([len(payload)]) + payload
+        out.append(head + bytes((sum(head) & 255, sum(accumulate(head)) & 255)))
+    assert compare(real, b"".join(out)) > 500
+
+
+@pytest.mark.usefixtures("way")
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_columns_equal_objects_for_every_field(spec: str) -> None:
+    package = PACKAGES[spec]
+    stream = b"".join(packet(number, (field[1], field[2:])) for number, field in fields(spec, 8))
+    assert compare(package, stream) > 1000
+
+
+@pytest.mark.usefixtures("way")
+def test_objects_while_other_columns_are_requested(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Requests look at the same pieces, and must not disturb each other."""
+    monkeypatch.setattr(real.mip_tools.columns.log, "_PIECE", 5000)
+    sent = [packet(0x80, (4, struct.pack(">3f", i, 0, 0)), (5, bytes(12))) for i in range(1000)]
+    log = real.mip_tools.columns.read_log(b"".join(sent))
+    seen = []
+    for n, one in enumerate(log.objects("sensor.scaled_accel")):
+        if n == 9 or n == 500:
+            assert len(log["sensor.scaled_gyro"]) == 1000
+        seen.append(one.scaled_accel[0])
+    assert seen == list(range(1000))
+    both = zip(log.objects("sensor.scaled_accel"), log.objects("sensor.scaled_gyro"))
+    assert [a.scaled_accel[0] for a, _ in both] == seen
+
+
+# --------------------------------------------------------------------------- packets
+
+
+def nested() -> bytes:
+    """Packets in packets, so that where one begins decides which ones there are."""
+    small = packet(0x80, (0x04, bytes(12)))
+    chain = b""
+    for i in range(40):
+        inner = packet(0x80, (0x05, bytes([i]) * 12))
+        chain += packet(0x82, (0x63, inner[:9])) + inner[9:]
+    whole = packet(0x80, (0x63, packet(0x82, (0x63, small))))
+    return chain + whole * 3 + whole[:40] + small + chain[5:] + packet(0x80, (0x63, b"\x00" * 250))
+
+
+STREAMS = {
+    "damaged": lambda: streams("real", seed=3, count=150),
+    "nested": nested,
+    "text": lambda: b"$GPGGA,1,2*33\r\n" * 50 + packet(0x80, (4, bytes(12))) + b"u" * 300,
+    "syncs": lambda: b"ue" * 400 + packet(0x80, (4, bytes(12))) + b"\x75\x65\x01\xff" * 300,
+    "random": lambda: random.Random(9).randbytes(20_000),
+    "short": lambda: b"ue\x80",
+    "empty": lambda: b"",
+}
+
+
+@pytest.mark.usefixtures("way")
+@pytest.mark.parametrize("name", sorted(STREAMS))
+@pytest.mark.parametrize("piece", [7, 300, 1 << 22])
+def test_packets_are_those_of_the_parser_however_a_log_is_cut(
+    name: str, piece: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    columns = real.mip_tools.columns
+    monkeypatch.setattr(columns.log, "_PIECE", piece)
+    monkeypatch.setattr(columns.scan, "_PART", 64)
+    stream = STREAMS[name]()[: piece * rounds(400, 10_000)]
+    places = [at for at, _ in parsed(real, stream)]
+
+    def found(log: Any) -> list[int]:
+        return sorted(at for c in log.columns() for at in c.offset.tolist())
+
+    whole = columns.read_log(stream)
+    assert whole.packets == len(places)
+    offsets = found(whole)
+    rng = chance(name, piece)
+    for _ in range(rounds(3, 30)):
+        cuts = sorted(rng.randrange(len(stream) + 1) for _ in range(rng.randrange(4)))
+        parts = [columns.read_log(stream, a, b) for a, b in zip([0, *cuts], [*cuts, len(stream)])]
+        assert [part.packets for part in parts] == [
+            sum(a <= at < b for at in places) for a, b in zip([0, *cuts], [*cuts, len(stream)])
+        ]
+        assert [at for part in parts for at in found(part)] == offsets
+        assert sum(part.skipped for part in parts) == whole.skipped
+    sizes = [part.packets for part in whole.parts(max(1, len(stream) // 9))]
+    assert sum(sizes) == len(places)
+
+
+def test_a_part_inside_of_a_packet_skips_nothing() -> None:
+    stream = packet(0x80, (4, bytes(12)))
+    parts = [real.mip_tools.columns.read_log(stream, a, b) for a, b in ((0, 5), (5, 9), (9, len(stream)))]
+    assert [(part.packets, part.skipped) for part in parts] == [(1, 0), (0, 0), (0, 0)]
+
+
+@pytest.mark.usefixtures("way")
+def test_a_part_begins_right_behind_packets_that_overlap_far_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whether a packet counts depends on the one it overlaps, and on the one before that one, and so on."""
+    columns = real.mip_tools.columns
+    step, count = 20, 400
+    ends = {at: at + 30 for at in range(0, step * count, step)}
+
+    def candidates(data: Any, first: int, limit: int, length: int) -> tuple[Any, Any]:
+        begin = step * count - length if length else 0  # the data end where the part begins
+        at = [a - begin for a in ends if first <= a - begin < limit]
+        return np.array(at, np.intp), np.array([a + 30 for a in at], np.intp)
+
+    monkeypatch.setattr(columns.scan, "candidates", candidates)
+    kept = [at for at in ends if at % (2 * step) == 0]
+    begin = step * count
+    for length in range(100, begin, 300):
+        data = np.zeros(length, np.uint8)
+        found = columns.scan.clear(data, length, length, False)
+        assert found is None  # there is no place where it begins anew
+    found = columns.scan.clear(np.zeros(begin, np.uint8), begin, begin, True)
+    assert found == max(begin, kept[-1] + 30)
+
+
+def test_long_noise_takes_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Headers of long packets, one every four bytes: NumPy checks each, a few at a time."""
+    use(monkeypatch, None)
+    seen = []
+    gather = real.mip_tools.columns.scan.gather
+    monkeypatch.setattr(
+        real.mip_tools.columns.scan,
+        "gather",
+        lambda data, at, size: seen.append(len(at) * size) or gather(data, at, size),
+    )
+    assert real.mip_tools.columns.read_log(b"\x75\x65\x01\xff" * 100_000).packets == 0
+    assert sum(seen) > 20_000_000 > 5_000_000 > max(seen)
+
+
+# --------------------------------------------------------------------------- sources
+
+
+def test_every_kind_of_source(tmp_path: Path) -> None:
+    stream = packet(0x80, (4, struct.pack(">3f", 1, 2, 3))) * 3
+    path = tmp_path / "log.bin"
+    path.write_bytes(stream)
+    read = real.mip_tools.columns.read_log
+    with open(path, "rb") as file:
+        assert read(file).packets == 3
+    with open(path, "rb", buffering=0) as raw:
+        raw.seek(1)
+        assert (read(raw).packets, read(raw).size) == (2, len(stream) - 1)
+    with gzip.open(tmp_path / "log.gz", "wb") as packed:
+        packed.write(stream)
+    with gzip.open(tmp_path / "log.gz") as packed:
+        assert read(packed).packets == 3
+    (tmp_path / "empty").write_bytes(b"")
+    assert read(tmp_path / "empty").packets == 0
+    for given in (str(path), path, stream, bytearray(stream), memoryview(stream), np.frombuffer(stream, np.uint8)):
+        assert read(given).packets == 3
+    assert read(io.BytesIO(stream)).packets == 3
+    reader, writer = os.pipe()
+    os.write(writer, stream)
+    os.close(writer)
+    with open(reader, "rb") as pipe:
+        assert read(pipe).packets == 3
+    log = read(path)
+    column = log["sensor.scaled_accel"]
+    log.close()
+    assert column["scaled_accel"].tolist() == [[1, 2, 3]] * 3
+    with pytest.raises(ValueError, match="the log is closed"):
+        log["sensor.scaled_gyro"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "said"),
+    [
+        ((5,), TypeError, "a log is a path, a binary file or bytes without gaps, not int"),
+        ((io.StringIO("x"),), TypeError, "open the file in binary mode"),
+        ((b"", -1), ValueError, "`begin` is 0 or more"),
+        ((b"", 5, 4), ValueError, "not behind `end`"),
+        (("/nowhere/log.bin",), FileNotFoundError, "/nowhere/log.bin"),
+    ],
+)
+def test_what_is_no_log(arguments: tuple[Any, ...], error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        real.mip_tools.columns.read_log(*arguments)
+
+
+def test_unknown_types_and_names() -> None:
+    log = real.mip_tools.columns.read_log(packet(0x80, (0x63, b"x"), (4, b"short")))
+    with pytest.raises(LookupError, match=r"sensor.nothing"):
+        log["sensor.nothing"]
+    with pytest.raises(KeyError, match=r"set 0x82 has no field sensor.scaled_accel"):
+        log.column("sensor.scaled_accel", 0x82)
+    with pytest.raises(KeyError, match=r"sensor.scaled_accel has scaled_accel, not 'x'"):
+        log["sensor.scaled_accel"]["x"]
+    assert real.sensor.ScaledAccel not in log
+    unknown = [(c.set, c.descriptor, c.type, c.name, c.count, c.rate) for c in log.types()]
+    assert unknown == [(0x80, 0x04, None, "0x80,0x04", 1, None), (0x80, 0x63, None, "0x80,0x63", 1, None)]
+
+
+# --------------------------------------------------------------------------- time
+
+
+def gps(tow: float, week: int = 2300, flags: int = 3) -> tuple[int, bytes]:
+    return 0xD3, struct.pack(">dHH", tow, week, flags)
+
+
+def reference(nanoseconds: int) -> tuple[int, bytes]:
+    return 0xD5, struct.pack(">Q", nanoseconds)
+
+
+ACCEL = 4, bytes(12)
+
+
+def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() -> None:
+    stream = b"".join([
+        packet(0x80, ACCEL),
+        packet(0x82, gps(50)),
+        packet(0x80, ACCEL),
+        packet(0x80, gps(100), ACCEL, ACCEL),
+        packet(0x80, ACCEL),
+        packet(0x80, ACCEL, gps(101, flags=1)),
+        packet(0x80, ACCEL),
+        packet(0x80, (0x12, struct.pack(">dHH", 102.5, 2300, 0x1F)), gps(103), ACCEL),
+        packet(0x80, reference(5), ACCEL),
+    ])  # fmt: skip
+    column = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel]
+    clock, values, own = column.time()
+    assert clock == "gps"
+    first = np.datetime64("2024-02-04T00:00:00", "ns") + np.timedelta64(100 - 18, "s")
+    later = first + np.timedelta64(2500, "ms")  # the first timestamp in the packet by its descriptor
+    nat = np.datetime64("NaT")
+    wanted = [nat, nat, first, first, first, nat, nat, later, later]
+    assert np.array_equal(values, np.array(wanted, "datetime64[ns]"), equal_nan=True)
+    assert own.tolist() == [False, False, True, True, False, True, False, True, False]
+    clock, values, own = column.time("reference")
+    assert values.dtype == "timedelta64[ns]"
+    assert values[-1] == np.timedelta64(5, "ns")
+    assert np.isnat(values[:-1]).all()
+    assert column.time("external").clock == "external"
+    with pytest.raises(ValueError, match="'utc' is not a clock; one of gps, external, reference is"):
+        column.time("utc")
+
+
+def test_a_device_says_which_flags_count() -> None:
+    """The 3DM-GX5-15 has no flags for time of week and week, but one that the time is set."""
+    stamp = struct.pack(">dHH", 100, 2300, 1 << 2)
+    stream = packet(0x80, (0x12, stamp), ACCEL)
+    for device, known in ((None, False), ("3dm-gx5-15", True), ("3DM-CV7-GNSS/INS", False)):
+        log = real.mip_tools.columns.read_log(stream, device=device)
+        assert log["sensor.gps_timestamp"].valid("tow").tolist() == [known]
+        assert np.isnat(log["sensor.scaled_accel"].time("gps").values).tolist() == [not known]
+        (part,) = log.parts()
+        assert part.device == log.device
+    with pytest.raises(LookupError, match="3dm-gx5-16"):
+        real.mip_tools.columns.read_log(stream, device="3dm-gx5-16")
+
+
+def test_leap_seconds() -> None:
+    weeks = [(0, 0.0), (77, 259_200.0), (1930, 16.9), (1930, 17.5), (1930, 18.0), (2400, 1.25)]
+    stream = b"".join(packet(0x80, gps(tow, week), ACCEL) for week, tow in weeks)
+    times = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel].time("gps").values.astype(str).tolist()
+    assert times == [
+        "1980-01-06T00:00:00.000000000",
+        "1981-07-01T00:00:00.000000000",
+        "2016-12-31T23:59:59.900000000",
+        "2017-01-01T00:00:00.500000000",  # during the leap second the next second begins
+        "2017-01-01T00:00:00.000000000",
+        "2026-01-03T23:59:43.250000000",
+    ]
+
+
+@pytest.mark.parametrize("tow", [float("nan"), float("inf"), -float("inf"), 1e300, -1e300])
+def test_times_that_cannot_be(tow: float) -> None:
+    stream = packet(0x80, gps(tow), ACCEL) + packet(0x80, gps(0, 65535), reference((1 << 64) - 1), ACCEL)
+    column = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel]
+    assert np.isnat(column.time("gps").values).all()
+    assert np.isnat(column.time("reference").values).all()
+    assert column.time().clock == ""
+
+
+@pytest.mark.usefixtures("way")
+def test_times_and_rates_are_the_same_for_every_way_of_cutting(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real.mip_tools.columns.times, "REACH", 300)
+    rng = random.Random(4)
+    stream = b"".join(
+        packet(0x80, *([gps(i)] if rng.random() < 0.1 else []), ACCEL) + b"\x00" * rng.choice([0, 0, 400])
+        for i in range(400)
+    )
+    whole = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel].time("gps")
+    assert 20 < np.isnat(whole.values).sum() < 390
+    for size in (100, 1000, 9999):
+        parts = [p[real.sensor.ScaledAccel].time("gps") for p in real.mip_tools.columns.read_log(stream).parts(size)]
+        assert np.array_equal(np.concatenate([p.values for p in parts]), whole.values, equal_nan=True)
+        assert np.concatenate([p.own for p in parts]).tolist() == whole.own.tolist()
+
+
+def test_rates() -> None:
+    stream = b"".join(
+        packet(0x80, reference(i * 10_000_000), gps(1), ACCEL, *([(5, bytes(12))] if i % 4 == 0 else []))
+        for i in range(101)
+    )
+    rates = {c.name: c.rate for c in real.mip_tools.columns.read_log(stream).types()}
+    assert rates["sensor.scaled_accel"] == pytest.approx(100)
+    assert rates["sensor.scaled_gyro"] == pytest.approx(25)
+
+
+# --------------------------------------------------------------------------- frames
+
+
+def flagged() -> bytes:
+    angles = [struct.pack(">3fH", 1, 2, 3, flag) for flag in (1, 0)]
+    return b"".join(packet(0x82, (5, data), reference(i + 1)) for i, data in enumerate(angles)) + packet(
+        0x82, (0x01, struct.pack(">3dH", 50, 8, 400, 1))
+    )
+
+
+def cells(frame: Any) -> dict[str, list[Any]]:
+    """The columns of a frame of any library as lists, None where there is no value."""
+    if hasattr(frame, "to_pydict"):
+        return dict(frame.to_pydict())
+    if hasattr(frame, "to_dicts"):
+        return dict(frame.to_dict(as_series=False))
+    return {c: [None if v is None or str(v) in ("nan", "NaT", "<NA>") else v for v in frame[c].tolist()] for c in frame}
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_frames(library: str) -> None:
+    log = real.mip_tools.columns.read_log(flagged())
+    unit = {"pandas": " [rad]", "polars": " [rad]", "pyarrow": ""}[library]
+    plain = cells(log.frame("filter_data.euler_angles", library=library, time=None))
+    assert plain == {f"{name}{unit}": [i, i] for i, name in enumerate(("roll", "pitch", "yaw"), 1)} | {
+        "valid_flags": [1, 0]
+    }
+    masked = cells(log.frame(real.filter_data.EulerAngles, library=library, invalid="mask", units=False, position=True))
+    assert list(masked) == ["time", "time_own", "packet", "set", "offset", "roll", "pitch", "yaw", "valid_flags"]
+    assert masked["roll"] == [1, None]
+    assert masked["offset"] == [0, 32]
+    wide = cells(log.frame([real.filter_data.EulerAngles, "filter_data.llh_position"], library=library, units=False))
+    assert wide["euler_angles.roll"] == [1, 1, None]
+    assert wide["euler_angles.valid_flags"] == [1, 0, None]
+    assert wide["llh_position.latitude"] == [None, None, 50]
+    assert wide["time_own"] == [True, True, False]
+
+
+def cell_kind(values: Any) -> str:
+    while hasattr(values, "values"):
+        values = values.values
+    return str(np.asarray(values).dtype.kind)
+
+
+def none_or_numbers(cell: Any) -> Any:
+    """Lists of one size have null elements instead of being null."""
+    if cell is None or (isinstance(cell, list) and cell and all(item is None for item in cell)):
+        return None
+    return np.asarray(cell).tolist()
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_a_frame_of_every_type(spec: str, library: str) -> None:
+    package = PACKAGES[spec]
+    log = package.mip_tools.columns.read_log(streams(spec, seed=8, count=300))
+    for column in log.columns():
+        frame = log.frame(column.type, library=library, invalid="mask", position=True)
+        assert len(frame) == len(column)
+        again = cells(frame)
+        for name in column.names:
+            if name in again:
+                values = column[name]
+                numbers = [cell(values, i) for i in range(len(column))]
+                assert len(again[name]) == len(numbers)
+                if (
+                    np.asarray(getattr(values, "values", values)).dtype.kind in "iu"
+                    and not column.parameters[name].valid
+                ):
+                    assert [none_or_numbers(v) for v in again[name]] == numbers
+    kinds = [column.type for column in log.columns()]
+    assert len(log.frame(kinds, library=library)) >= max(map(len, log.columns()))
+
+
+def test_what_arrow_knows_of_columns() -> None:
+    table = real.mip_tools.columns.read_log(flagged()).frame("filter_data.euler_angles", library="pyarrow")
+    facts = {field.name: {k.decode(): v.decode() for k, v in (field.metadata or {}).items()} for field in table.schema}
+    assert facts["time"] == {"clock": "reference"}
+    assert facts["roll"]["unit"] == "rad"
+    assert facts["valid_flags"]["type"] == "EulerAnglesFlags" or facts["valid_flags"]["type"]
+
+
+@pytest.mark.parametrize("choice", [{"library": "excel"}, {"invalid": "hide"}, {"time": "noon"}], ids=lambda c: str(*c))
+def test_choices_that_a_frame_does_not_have(choice: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=str(*choice)):
+        real.mip_tools.columns.read_log(flagged()).frame("filter_data.euler_angles", **choice)
+    with pytest.raises(ValueError, match="one type or more"):
+        real.mip_tools.columns.read_log(b"").frame([])
+
+
+@pytest.mark.parametrize("missing", ["numpy", "pandas", "polars", "pyarrow"])
+def test_a_missing_library_is_named_with_its_extra(missing: str) -> None:
+    code = f"""
+import sys
+sys.modules[{missing!r}] = None
+import mip_tools
+from mip_tools import *
+assert "numpy" not in sys.modules or sys.modules["numpy"] is None
+try:
+    mip_tools.read_log(b"").frame("sensor.scaled_accel", library={missing!r})
+except ImportError as error:
+    assert error.name == {missing!r}
+    print(error)
+"""
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+    assert done.stdout.endswith(f"{missing} is missing; pip install {missing}\n"), done.stderr
+
+
+# --------------------------------------------------------------------------- compiled code
+
+
+def same(a: Any, b: Any) -> bool:
+    """Are two columns the same, bit by bit?"""
+    if not isinstance(a, np.ndarray):
+        return type(a) is type(b) and all(same(x, y) for x, y in zip(a, b, strict=True)) if a is not None else b is None
+    masks = [np.ma.getmaskarray(x).tobytes() for x in (a, b)]
+    held = [x.tolist() if x.dtype == object else np.ascontiguousarray(x).tobytes() for x in map(np.ma.getdata, (a, b))]
+    return a.dtype == b.dtype and a.shape == b.shape and masks[0] == masks[1] and held[0] == held[1]
+
+
+@pytest.mark.parametrize("piece", [100, 5000, 1 << 20])
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_compiled_code_gives_the_same_arrays(
+    spec: str, piece: int, built: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = PACKAGES[spec]
+    monkeypatch.setattr(package.mip_tools.columns.log, "_PIECE", piece)
+    stream = streams(spec, seed=piece, count=900)
+    found = []
+    for path in (None, built):
+        use(monkeypatch, path)
+        assert package.mip_tools.columns.compiled() is (path is not None)
+        log = package.mip_tools.columns.read_log(stream)
+        columns = log.columns()
+        arrays = [[c.packet, c.offset, c.set, *c.time()[1:], *(c[name] for name in c.names)] for c in columns]
+        found.append(([c.type for c in columns], log.packets, log.skipped, log.types(), arrays))
+    assert found[0][:4] == found[1][:4]
+    assert all(same(a, b) for one, other in zip(found[0][4], found[1][4], strict=True) for a, b in zip(one, other))
+
+
+def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, built)
+    many = [packet(s, (d, bytes(3)), (d, b"")) for s in range(1, 40) for d in range(1, 30)] + [packet(0x80, ACCEL)]
+    stream = b"".join(many)
+    assert real.mip_tools.columns.native.kernel is not None
+    data = np.frombuffer(stream + bytes(300), np.uint8)
+    found = real.mip_tools.columns.scan.packets(data, 0, len(stream), len(stream))
+    assert real.mip_tools.columns.native.kernel.fields(data, found.at) is None
+    compare(real, stream)
+
+
+def test_bytes_that_change_while_compiled_code_reads_them(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another program writes to the file: fields are counted, then they are different ones."""
+    kernel = real.mip_tools.columns.native.Kernel(built)
+    count, fields_of = kernel._count, kernel._fields
+    ping, idle = packet(0x01, (1, b"")), packet(0x01, (2, b""))
+    margin = 5000
+
+    def read(before: bytes, after: bytes) -> Any:
+        data = bytearray(before + bytes(300))
+        at = np.array([i for i, _ in parsed(real, before)], np.int32)
+
+        def counted(*given: Any) -> int:
+            kinds: int = count(*given)
+            data[: len(after)] = after
+            return kinds
+
+        def guarded(*given: Any) -> None:
+            """With room around the rows, so that what is written there is seen and does no harm."""
+            total = len(at)
+            packets, offsets = np.zeros(total + 2 * margin, np.int32), np.zeros(total + 2 * margin, np.uint8)
+            places = (packets[margin:].ctypes.data, offsets[margin:].ctypes.data)
+            for place, own, size in zip(places, given[-2:], (4, 1)):
+                ctypes.memmove(place, own, total * size)
+            fields_of(*given[:-2], *places)
+            for array in (packets, offsets):
+                assert not array[:margin].any() and not array[margin + total :].any()
+            for own, place, size in zip(given[-2:], places, (4, 1)):
+                ctypes.memmove(own, place, total * size)
+
+        monkeypatch.setattr(kernel, "_count", counted)
+        monkeypatch.setattr(kernel, "_fields", guarded)
+        found = kernel.fields(np.frombuffer(data, np.uint8), at)
+        for one in found:
+            assert ((one.packet >= 0) & (one.packet < len(at))).all()
+        return [(one.descriptor, one.packet.tolist(), one.offset.tolist()) for one in found]
+
+    assert read(ping * 3 + idle * 2, ping * 3 + idle * 2) == [(1, [0, 1, 2], [2] * 3), (2, [3, 4], [2] * 2)]
+    assert read(ping * 3 + idle * 2, ping * 5) == [(1, [0, 1, 2], [2] * 3), (2, [0, 0], [0, 0])]  # more of a kind
+    assert read(ping * 3 + idle * 2, idle * 5) == [(1, [0] * 3, [0] * 3), (2, [0, 1], [2, 2])]
+    assert read(ping * 3, packet(0x01, (3, b"")) * 3) == [(1, [0] * 3, [0] * 3)]  # kinds that were not counted
+    rng = random.Random(6)
+    for _ in range(200):
+        read(ping * 30 + idle * 30, rng.randbytes(480) if rng.random() < 0.5 else rng.choice((b"\xff", b"\2")) * 480)
+
+
+def test_a_package_in_a_zip_file(tmp_path: Path) -> None:
+    """There is no source of compiled code beside it."""
+    for name, folder in (("mip_protocol", REAL), ("mip_tools", ROOT / "tools")):
+        shutil.make_archive(str(tmp_path / name), "zip", folder, name)
+    (tmp_path / "log.bin").write_bytes(packet(0x80, ACCEL) * 3)
+    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}/mip_tools.zip{os.pathsep}{tmp_path}/mip_protocol.zip"}
+
+    def python(*words: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, *words]
+        return subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
+
+    code = "import mip_tools.columns as c; print('.zip' in c.__file__, c.compiled(), c.read_log('log.bin').packets)"
+    done = python("-c", code)
+    assert done.stdout == "True False 3\n", done.stderr
+    done = python("-m", "mip_tools", "info", "log.bin")
+    assert done.returncode == 0 and "scaled_accel" in done.stdout, done.stderr
+    done = python("-m", "mip_tools.columns.build")
+    assert done.returncode == 1 and done.stderr.startswith("mip_tools.columns.build: "), done.stderr
+    assert done.stderr.endswith("; install the whole package in a folder\n") and done.stderr.count("\n") == 1
+
+
+def copied(folder: Path) -> Path:
+    """The tools in a folder, without what was compiled."""
+    return shutil.copytree(ROOT / "tools/mip_tools", folder / "mip_tools", ignore=shutil.ignore_patterns("*.so"))
+
+
+def python_path(folder: Path) -> str:
+    """The tools of this folder, and the real package."""
+    return f"{folder}{os.pathsep}{REAL}"
+
+
+def build(*words: str, path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "mip_tools.columns.build", *words]
+    own = {**os.environ, "PYTHONPATH": python_path(path), "PYTHONDONTWRITEBYTECODE": "1", "CC": "", **environment}
+    return subprocess.run(command, capture_output=True, text=True, env=own)
+
+
+def test_the_command_that_compiles(tmp_path: Path) -> None:
+    folder = copied(tmp_path)
+    asked = [sys.executable, "-c", "import mip_tools.columns as c; print(c.compiled(), c.read_log(b'').packets)"]
+    environment = {**os.environ, "PYTHONPATH": python_path(tmp_path)}
+    before = subprocess.run(asked, capture_output=True, text=True, env=environment)
+    assert before.stdout == "False 0\n", before.stderr
+    for compiler, said in (
+        ("/nowhere/cc", "/nowhere/cc: No such file or directory"),
+        ("false", "false -std=c99"),
+        ("true", "what true has made cannot be loaded"),
+        ('gcc "x', 'CC=gcc "x: No closing quotation; quote a path with spaces'),
+    ):
+        failed = build(path=tmp_path, CC=compiler)
+        assert failed.returncode == 1 and said in failed.stderr and "Traceback" not in failed.stderr
+    missing = build(path=tmp_path, PATH=str(tmp_path))
+    assert missing.returncode == 1
+    assert missing.stderr.endswith("no C compiler found: none of cc, gcc, clang; name one with CC\n")
+    assert build("now", path=tmp_path).returncode == 2
+    assert not list(folder.rglob("*.so")) + list(folder.rglob("*.part"))
+    done = build(path=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert Path(done.stdout.splitlines()[0]).parent == folder / "columns"
+    after = subprocess.run(asked, capture_output=True, text=True, env=environment)
+    assert after.stdout == "True 0\n", after.stderr
+    source = folder / "columns/kernel.c"
+    source.write_text(source.read_text() + "/* newer */\n")  # what was compiled of the old one does not count
+    assert subprocess.run(asked, capture_output=True, text=True, env=environment).stdout == "False 0\n"
+
+
+def test_compiling_without_its_source_or_numpy(tmp_path: Path) -> None:
+    folder = copied(tmp_path)
+    source = folder / "columns/kernel.c"
+    source.unlink()
+    done = build(path=tmp_path)
+    said = f"{source}: No such file or directory; install the whole package in a folder"
+    assert (done.returncode, done.stderr) == (1, f"mip_tools.columns.build: {said}\n")
+    (tmp_path / "numpy.py").write_text("raise ImportError")
+    done = build(path=tmp_path)
+    said = "numpy is missing; pip install numpy"
+    assert (done.returncode, done.stderr) == (1, f"mip_tools.columns.build: {said}\n")
+    code = "import mip_tools.columns as c\ntry: c.read_log\nexcept ImportError as e: print(type(e).__name__, e)\n"
+    code += "try: from mip_tools.columns import Log\nexcept ImportError as e: print(e)"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": python_path(tmp_path)},
+    )
+    assert done.stdout == f"MissingExtra {said}\n{said}\n", done.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "windows", "words"),
+    [
+        ("gcc -m32", False, ["gcc", "-m32"]),
+        ("'/my tools/gcc' -m32", False, ["/my tools/gcc", "-m32"]),
+        (r"C:\tools\gcc.exe -m32", True, [r"C:\tools\gcc.exe", "-m32"]),
+        (r'"C:\my tools\gcc.exe" -m32', True, [r"C:\my tools\gcc.exe", "-m32"]),
+        ("", True, []),
+    ],
+)
+def test_the_words_that_name_a_compiler(text: str, windows: bool, words: list[str]) -> None:
+    build_module = importlib.import_module(f"{real.mip_tools.name}.columns.build")
+    assert build_module._words(text, windows) == words
+
+
+@pytest.mark.parametrize("content", [b"", b"no library"])
+def test_what_is_no_compiled_code_is_left_alone(content: bytes, tmp_path: Path) -> None:
+    path = real.mip_tools.columns.native.library(tmp_path)
+    assert real.mip_tools.columns.native.found(path) is None
+    path.write_bytes(content)
+    assert real.mip_tools.columns.native.found(path) is None
+
+
+@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=heavy("clang"))])
+def test_compiled_code_is_clean(compiler: str, tmp_path: Path) -> None:
+    options = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c"]
+    command = [need(compiler), *options, "-o", str(tmp_path / "kernel.o"), str(real.mip_tools.columns.native.SOURCE)]
+    subprocess.run(command, check=True)
+
+
+# --------------------------------------------------------------------------- copies
+
+
+def test_logs_and_columns_can_be_pickled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = b"".join(packet(0x80, gps(i), ACCEL, (5, bytes(12))) for i in range(50))
+    (tmp_path / "drive.bin").write_bytes(b"noise" + stream)
+    monkeypatch.chdir(tmp_path)
+    by_path = real.mip_tools.columns.read_log("drive.bin", 100, 900, device="3dm-gx5-15")
+    for log in (
+        by_path,
+        real.mip_tools.columns.read_log(stream, 30),
+        real.mip_tools.columns.read_log(Path("drive.bin")),
+    ):
+        column = log["sensor.scaled_accel"]
+        shared = log["shared.gps_timestamp"]
+        monkeypatch.chdir("/")  # as in another process
+        for way in (lambda x: pickle.loads(pickle.dumps(x)), copy.copy, copy.deepcopy):
+            other = way(log)
+            assert (other.begin, other.end, other.device, other.packets) == (
+                log.begin,
+                log.end,
+                log.device,
+                log.packets,
+            )
+            for one in (column, shared):
+                same = way(one)
+                assert same.type is one.type and same.names == one.names and len(same) == len(one) > 0
+                assert all((same[name] == one[name]).all() for name in one.names)
+                for attribute in ("packet", "offset", "set", "sets"):
+                    assert np.array_equal(getattr(same, attribute), getattr(one, attribute))
+                assert same.time().values.tolist() == one.time().values.tolist()
+                assert list(same.objects()) == list(one.objects())
+        monkeypatch.chdir(tmp_path)
+    with open("drive.bin", "rb") as file, pytest.raises(TypeError, match="read it from a path or from bytes"):
+        pickle.dumps(real.mip_tools.columns.read_log(file))
+    assert repr(by_path) == f"<Log {str(tmp_path / 'drive.bin')!r}: bytes 100 to 900>"
+    assert repr(real.mip_tools.columns.read_log(b"abc")) == "<Log in memory: bytes 0 to 3>"
+
+
+# --------------------------------------------------------------------------- types without parameters
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_a_type_without_parameters_has_rows(library: str) -> None:
+    ping, idle = (bytes(kind().packet()) for kind in (real.base.Ping, real.base.SetIdle))
+    log = real.mip_tools.columns.read_log(ping + idle + ping)
+    frame = log.frame(real.base.Ping, library=library)
+    assert len(frame) == 2 and cells(frame) == {"ping": [True, True]}
+    both = cells(log.frame(["base.ping", "base.set_idle"], library=library))
+    assert both == {"ping": [True, False, True], "set_idle": [False, True, False]}
+
+
+@pytest.mark.parametrize("wrong", [4, None, int, real.types.DescriptorRate, real.types.AckCode, real.field.Command])
+def test_what_is_no_field(wrong: Any) -> None:
+    log = real.mip_tools.columns.read_log(b"")
+    for ask in (log.frame, log.column, log.__getitem__, log.__contains__, lambda kind: list(log.objects(kind))):
+        with pytest.raises(LookupError, match="is not a field: a column needs a class such as"):
+            ask(wrong)
+
+
+# --------------------------------------------------------------------------- documentation
+
+
+@pytest.mark.parametrize("page", ["docs/columns.md", "tools/README.md"])
+def test_the_code_in_the_documentation_runs(page: str, tmp_path: Path) -> None:
+    stream = b"".join(packet(0x80, gps(i / 10), ACCEL, (5, bytes(12))) for i in range(50))
+    (tmp_path / "drive.bin").write_bytes(stream)
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text("utf-8"), re.DOTALL)
+    code = "\n".join(b for b in blocks if "read_log" in b or "log.parts" in b)
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment)
+    assert done.returncode == 0, done.stderr
+    assert "sensor.scaled_accel 50 10" in done.stdout.replace("9.999", "10")
+
+
+# --------------------------------------------------------------------------- Dask
+
+
+@heavy("Dask")
+def test_the_example_with_dask_makes_the_same_rows_for_every_way_of_cutting(tmp_path: Path) -> None:
+    logs = tmp_path / "logs"
+    (logs / "day 2").mkdir(parents=True)
+    contents = {"a.bin": streams("real", seed=21, count=200), "day 2/b.bin": nested(), "empty.bin": b""}
+    for name, data in contents.items():
+        (logs / name).write_bytes(data)
+    program = ROOT / "tools/examples/logs_to_parquet.py"
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def run(out: Path, part: str, *more: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, str(program), str(logs), str(out), "--part", part, *more]
+        return subprocess.run(command, capture_output=True, text=True, env=environment)
+
+    tables = []
+    for part in ("64", "0.001"):
+        out = tmp_path / f"out-{part}"
+        done = run(out, part, "--workers", "2")
+        assert done.returncode == 0, done.stderr
+        files = sorted(p.relative_to(out).as_posix() for p in out.rglob("*.parquet"))
+        rows = {}
+        for file in files:
+            table = parquet.read_table(out / file, partitioning=None)
+            rows.setdefault(file.rpartition("/")[0], []).append(table)
+        tables.append({key: pyarrow.concat_tables(parts) for key, parts in rows.items()})
+        assert run(out, part).returncode == 2  # it exists
+    assert len(files) > 1.3 * len(tables[0]) > 40
+    assert tables[0].keys() == tables[1].keys()
+    for key, table in tables[0].items():
+        assert table.schema.equals(tables[1][key].schema, check_metadata=True)
+        assert repr(table.to_pylist()) == repr(tables[1][key].to_pylist())
+    whole = dataset.dataset(tmp_path / "out-64", partitioning="hive")
+    assert set(whole.to_table(columns=["log"])["log"].to_pylist()) == {"a.bin", "day 2/b.bin"}
+    assert sum(t.num_rows for t in tables[0].values()) == sum(
+        len(rows) for data in contents.values() for rows in expected(real, data).values()
+    )

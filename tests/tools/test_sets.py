@@ -1,0 +1,175 @@
+"""What two receivers send has the same class, and is never mixed: columns, tables, reports and the simulator."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+from mip_protocol import Parser, gnss_data, registry
+from mip_tools.__main__ import main
+from mip_tools.columns import read_log
+from mip_tools.simulator import VirtualDevice
+from mip_tools.simulator.facts import VALUES, FieldValues, shown
+
+Dop = gnss_data.Dop
+ONE, TWO = 0x91, 0x92
+BOTH = "gnss_data.dop in several sets: gnss_1.dop, gnss_2.dop; name one, as log['gnss_1.dop'] or log.column(Dop, 0x91)"
+
+
+def dop(set: int, value: float) -> bytes:
+    made = Dop(value, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Dop.INFO["valid_flags"].type(1))
+    return bytes(made.packet(set))
+
+
+def stream(*sets: int) -> bytes:
+    """Three fields of each set; the value is the set and the number of the turn."""
+    return b"".join(dop(set, set + turn / 4) for turn in range(3) for set in sets)
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> Path:
+    path = tmp_path / "log.bin"
+    path.write_bytes(stream(ONE, TWO))
+    return path
+
+
+def mip(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    try:
+        code = main([str(word) for word in words])
+    except SystemExit as left:
+        code = int(left.code or 0)
+    out, error = capsys.readouterr()
+    return code, out, error
+
+
+# --------------------------------------------------------------------------- columns
+
+
+def test_a_set_has_its_own_column() -> None:
+    log = read_log(stream(ONE, TWO))
+    assert [(c.name, c.sets, c["gdop"].tolist()) for c in log.columns()] == [
+        ("gnss_1.dop", [ONE], [145, 145.25, 145.5]),
+        ("gnss_2.dop", [TWO], [146, 146.25, 146.5]),
+    ]
+    two = log.column(Dop, TWO)
+    for kind in ("gnss_2.dop", "gnss_2.Dop", "Gnss2.Dop", "gnss2 dop", "mip_gnss_2.dop", "0x92,0x07", (TWO, Dop)):
+        assert log[kind].name == "gnss_2.dop" and (log[kind]["gdop"] == two["gdop"]).all(), kind
+    assert [d.gdop for d in two.objects()] == [d.gdop for d in log.objects(Dop, TWO)] == [146, 146.25, 146.5]
+    assert {d.packet_set for d in two.objects()} == {TWO}
+    assert not len(log["gnss_external.dop"]) and not len(log["gnss_data.dop"])
+    assert [count.name for count in log.types()] == ["gnss_1.dop", "gnss_2.dop"]
+
+
+def test_a_class_alone_is_refused_if_several_sets_have_it() -> None:
+    log = read_log(stream(ONE, TWO))
+    for ask in (log.column, log.__getitem__, log.frame, lambda kind: list(log.objects(kind))):
+        for kind in (Dop, "dop") if ask != log.objects else (Dop,):
+            with pytest.raises(LookupError) as error:
+                ask(kind)
+            assert BOTH in str(error.value)
+    assert Dop in log and "gnss_2.dop" in log and "gnss_external.dop" not in log and gnss_data.GpsTime not in log
+
+
+def test_a_class_alone_finds_the_only_set() -> None:
+    log = read_log(stream(TWO))
+    for kind in (Dop, "dop"):
+        assert log[kind].name == "gnss_2.dop" and log[kind].sets == [TWO] and len(log[kind]) == 3
+    assert len(list(log.objects(Dop))) == len(list(log[Dop].objects())) == 3
+    assert not len(read_log(b"")[Dop])
+
+
+def test_a_name_and_another_set() -> None:
+    log = read_log(stream(ONE, TWO))
+    with pytest.raises(KeyError, match=r"set 0x91 has no field gnss_2\.dop"):
+        log.column("gnss_2.dop", ONE)
+    with pytest.raises(KeyError, match=r"set 0x80 has no field gnss_data\.dop"):
+        log.column(Dop, 0x80)
+
+
+def test_a_frame_has_both_receivers() -> None:
+    frame = read_log(stream(ONE, TWO)).frame(["gnss_1.dop", "gnss_2.dop"], time=None)
+    assert frame["gnss_1.dop.gdop"].dropna().tolist() == [145, 145.25, 145.5]
+    assert frame["gnss_2.dop.gdop"].dropna().tolist() == [146, 146.25, 146.5]
+
+
+# --------------------------------------------------------------------------- the command line
+
+
+@pytest.mark.parametrize("align", [[], ["--align", "gnss_2.dop"]], ids=["rows", "aligned"])
+def test_an_export_has_both_receivers(align: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, error = mip(capsys, "export", log, "-o", "-", *align)
+    assert (code, error) == (0, "")
+    rows = list(csv.DictReader(out.splitlines()))
+    assert [r["gnss_2.dop.gdop"] for r in rows if r["gnss_2.dop.gdop"]] == ["146.0", "146.25", "146.5"]
+    assert [r["gnss_1.dop.gdop"] for r in rows if r["gnss_1.dop.gdop"]] == ["145.0", "145.25", "145.5"]
+    code, out, error = mip(capsys, "export", log, "-o", "-", "--format", "jsonl", *align)
+    found = [json.loads(line) for line in out.splitlines()]
+    if align:
+        assert [f["fields"]["gnss_1.dop"]["gdop"] for f in found] == [145, 145.25, 145.5]
+        assert [f["fields"]["gnss_2.dop"]["gdop"] for f in found] == [146, 146.25, 146.5]
+    else:
+        assert [f["field"] for f in found] == ["gnss_1.dop", "gnss_2.dop"] * 3
+
+
+@pytest.mark.parametrize("form", ["csv", "npz", "parquet"])
+def test_each_receiver_has_its_own_file(form: str, log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert mip(capsys, "export", log, "--split", "-o", log.with_name(f"t.{form}"))[0] == 0
+    assert sorted(p.name for p in log.parent.glob("t.*")) == [f"t.gnss_1.dop.{form}", f"t.gnss_2.dop.{form}"]
+
+
+def test_an_export_of_one_receiver(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for words in (["gnss_2"], ["gnss_2.dop"], ["0x92:0x07"], ["--without", "gnss_1.dop"]):
+        out = mip(capsys, "export", log, "-o", "-", "--time", "none", *words)[1]
+        assert [line.split(",")[0] for line in out.splitlines()] == ["gdop", "146.0", "146.25", "146.5"]
+
+
+def test_reports_have_both_receivers(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    report = json.loads(mip(capsys, "info", log, "--json")[1])
+    assert [(f["name"], f["count"]) for f in report["fields"]] == [("gnss_1.dop", 3), ("gnss_2.dop", 3)]
+    lines = mip(capsys, "dump", log)[1].splitlines()
+    assert "gnss_1: dop(gdop=145.0" in lines[0] and "gnss_2: dop(gdop=146.0" in lines[1]
+    assert "gnss_2.dop (0x92,0x07)" in mip(capsys, "dump", log, "--tree")[1]
+    assert mip(capsys, "fields", "gnss_2.dop")[1].startswith("gnss_2.dop (0x92,0x07), data\n")
+    out = mip(capsys, "fields", "gnss_2")[1]
+    assert "0x92,0x07  gnss_2.dop " in out and "gnss_1" not in out
+    out = mip(capsys, "bandwidth", "gnss_1.dop@1", "gnss_2.dop@2")[1]
+    assert "  gnss_1.dop " in out and "  gnss_2.dop " in out
+    assert "gnss_2.dop " in mip(capsys, "bandwidth", "gnss_2:dop@2")[1]
+    assert "gnss_2.dop" in mip(capsys, "completion", "words", "--", "fields", "gnss_2.do")[1]
+
+
+@pytest.mark.parametrize(
+    "words", [["bandwidth", "dop@1"], ["export", "LOG", "-o", "-", "--align", "dop"], ["plot", "LOG", "dop.gdop"]]
+)
+def test_a_name_of_both_receivers_is_refused(words: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    if words[0] == "plot":
+        words = [*words, "-o", str(log.with_name("t.png"))]
+    code, out, error = mip(capsys, *[str(log) if word == "LOG" else word for word in words])
+    assert (code, out) == (2, "") and "in several sets; write gnss_data.dop or gnss_1.dop or gnss_2.dop" in error
+
+
+# --------------------------------------------------------------------------- the virtual device
+
+
+def test_a_set_shows_its_own_values_else_those_of_the_family(monkeypatch: pytest.MonkeyPatch) -> None:
+    position = gnss_data.LlhPosition
+    one, two = shown(position, ONE), shown(position, TWO)
+    assert one is VALUES["gnss_data.llh_position"] and two is VALUES["gnss_2.llh_position"] and one != two
+    assert shown(Dop, TWO) is VALUES["gnss_data.dop"]
+    assert shown(registry.by_name("sensor.scaled_accel"), 0x80) is VALUES["sensor.scaled_accel"]
+    monkeypatch.delitem(VALUES, "gnss_data.dop")
+    assert shown(Dop, TWO) == FieldValues()
+
+
+def test_two_receivers_of_a_device_differ() -> None:
+    device = VirtualDevice("3dm-cv7-gnss-ins")
+    link = device.connect()
+    found = []
+    for set in (ONE, TWO):
+        device.send_data(set, [gnss_data.LlhPosition.DESCRIPTOR])
+        found += [gnss_data.LlhPosition.find(p) for p in Parser().feed(link.read())]
+    one, two = found
+    assert one is not None and two is not None and (one.packet_set, two.packet_set) == (ONE, TWO)
+    assert (one.latitude, one.longitude) != (two.latitude, two.longitude)

@@ -1,0 +1,118 @@
+"""The program `mip`, also `python -m mip_tools`: one module for each of its commands."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import os
+import sys
+from collections.abc import Generator
+from typing import Any
+
+from . import __version__, binding
+from .commands import COMMANDS, PACKAGE, loaded, without_package
+from .errors import Failure, NoBinding
+
+EPILOG = """\
+`mip COMMAND --help` shows more.
+
+exit status: 0 done, 1 failed (one line says why), 2 the command line is wrong, 3 the device
+refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the output has stopped
+"""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    _usable_streams()
+    given = sys.argv[1:] if arguments is None else arguments
+    try:
+        package, given = without_package(given)
+        if package is not None:
+            binding.use(package)
+        code = _run(given)
+        sys.stdout.flush()
+        return code
+    except Failure as failure:
+        print(f"{_program(given)}: {failure}", file=sys.stderr)
+        return failure.status
+    except KeyboardInterrupt:
+        return 130  # as shells say it
+    except BrokenPipeError:  # the reader has stopped, as `head` does
+        # What is still in the buffer would be written, and complained about, at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+    except OSError as error:  # of the output: commands say more of their files and ports
+        said = error.strerror or error
+        print(f"{_program(given)}: standard output cannot be written: {said}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+
+
+def _program(given: list[str]) -> str:
+    return f"mip {given[0]}" if given and given[0] in COMMANDS else "mip"
+
+
+def _usable_streams() -> None:
+    """A stream that is closed is empty, and what its encoding does not have is written by its number."""
+    if sys.stdin is None:
+        sys.stdin = open(os.devnull)
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w")
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
+
+
+class _Layout(argparse.RawDescriptionHelpFormatter):
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+
+    def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
+        yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
+
+
+def _version() -> str:
+    try:
+        return f"mip {__version__}, {binding.name()} {binding.VERSION}"
+    except NoBinding:
+        return f"mip {__version__}"
+
+
+def _run(given: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="mip", description="Tools for devices that use MIP.", epilog=EPILOG, formatter_class=_Layout
+    )
+    parser.add_argument("--version", action="version", version=_version() if "--version" in given else "")
+    parser.add_argument(
+        PACKAGE,
+        metavar="NAME",
+        help=f"the generated package to work on, or its folder (default: ${binding.VARIABLE}, else {binding.USUAL})",
+    )
+    used = parser
+    commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
+    chosen: Any = None
+    for name, (_, text) in COMMANDS.items():
+        added = commands.add_parser(
+            name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout
+        )
+        if given[:1] == [name]:  # only the one that is wanted is imported
+            chosen = loaded(name)
+            chosen.add_arguments(added)
+            used = added
+            given = getattr(chosen, "shielded", list)(given)
+    options, unknown = parser.parse_known_args(given)
+    if unknown and chosen is not None:  # words behind an option, which argparse does not expect
+        options, unknown = used.parse_known_intermixed_args(given[1:])
+    if unknown:
+        used.error(f"{' '.join(unknown)} is not recognized; see --help")
+    if chosen is None:
+        parser.print_help()
+        return 0
+    return int(chosen.run(options))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,168 @@
+"""The generated package that the tools work on, and everything that they use of it.
+
+It is `mip_protocol` unless `use`, `mip --package` or the environment variable `MIP_PACKAGE` names
+another one. The rest of the tools imports what it needs of a specification from here, by name; each
+module of the package is imported when something of it is first used.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from functools import cache
+from importlib import import_module, resources
+from importlib.util import find_spec
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from .errors import NoBinding
+
+USUAL = "mip_protocol"
+VARIABLE = "MIP_PACKAGE"
+
+#: What distinguishes a generated package from any other folder.
+_MARK = "reflection"
+
+#: What `use` was called with.
+_wanted: str | None = None
+
+
+def use(package: str) -> None:
+    """Chooses the generated package: its name, its folder, or the folder that contains it.
+
+    Call it before anything else of the tools is imported. Raises NoBinding.
+    """
+    global _wanted
+    before, _wanted = _wanted, package
+    if name.cache_info().currsize and _found() != name():
+        said, _wanted = f"{name()} is in use; {package} must be chosen before it", before
+        raise NoBinding(said)
+    name()
+
+
+@cache
+def name() -> str:
+    """The name of the package. Raises NoBinding, which names the remedy."""
+    return _found()
+
+
+def _found() -> str:
+    wanted = _wanted or os.environ.get(VARIABLE) or USUAL
+    if all(word.isidentifier() for word in wanted.split(".")) and _importable(wanted):
+        if not _importable(f"{wanted}.{_MARK}"):
+            raise NoBinding(f"{wanted} is not a package that mipgen has generated")
+        return wanted
+    if Path(wanted).is_dir():
+        return _in_folder(Path(wanted).resolve())
+    if wanted == USUAL:
+        remedy = f"name yours with --package NAME, {VARIABLE}=NAME or mip_tools.use(NAME)"
+        raise NoBinding(f"{USUAL} is not installed; install the generated Python package, or {remedy}")
+    raise NoBinding(f"{wanted} is neither an installed package nor a folder; install it, or name its folder")
+
+
+def _importable(module: str) -> bool:
+    try:
+        return find_spec(module) is not None
+    except ModuleNotFoundError:
+        return False
+
+
+def _in_folder(folder: Path) -> str:
+    """The package that is this folder, or the only one in it; made importable."""
+    found = [p.parent for p in (folder / f"{_MARK}.py", *sorted(folder.glob(f"*/{_MARK}.py"))) if p.is_file()]
+    if len(found) != 1:
+        which = ", ".join(p.name for p in found)
+        said = f"several packages ({which}); name one" if found else "no package that mipgen has generated"
+        raise NoBinding(f"{folder} contains {said}")
+    sys.path.insert(0, str(found[0].parent))
+    known = sys.modules.get(found[0].name)
+    if known is not None and str(found[0]) not in map(str, known.__path__):
+        raise NoBinding(f"{found[0]}: another package {found[0].name} is in use")
+    return found[0].name
+
+
+def module(home: str) -> ModuleType:
+    """A module of the package."""
+    try:
+        return import_module(f"{name()}.{home}")
+    except ModuleNotFoundError as error:
+        raise NoBinding(f"{name()} lacks {error.name}; generate it again, with the mipgen of these tools") from None
+
+
+@cache
+def data(file: str) -> dict[str, Any]:
+    """A file of the package with facts for tools, in JSON."""
+    try:
+        text = resources.files(name()).joinpath(file).read_text("utf-8")
+    except FileNotFoundError:
+        raise NoBinding(f"{name()} lacks {file}; generate it again, with the mipgen of these tools") from None
+    found: dict[str, Any] = json.loads(text)
+    return found
+
+
+#: Module of a generated package -> what the tools use of it.
+_USED = {
+    "_clocks": "CLOCKS LEAP_SECONDS",
+    "_index": "FAMILIES FIELDS SETS",
+    "client": "Answer TimedOut",
+    "codec": "OpenEnum single_from_bits single_to_bits",
+    "described": "Described",
+    "device": "open_port",
+    "devices": "DEVICES",
+    "errors": "DecodeError EncodeError MipError MissingExtra PacketError UnknownName",
+    "field": "Command Data Field Response Structure chosen",
+    "info": "EnumInfo",
+    "lookup": "device_id",
+    "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField",
+    "parameter": "Flag Parameter",
+    "parser": "Parser",
+    "port": "READ_TIMEOUT",
+    "profile": "Device Port",
+    "protocol": "VERSION AckCode Acknowledge FunctionSelector",
+    "reflection": "info items",
+    "registry": "MODULES all_types types",
+    "text": "meant shortest",
+    "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
+}
+#: Modules that they use as such.
+_MODULES = ("lookup", "reflection", "registry", "timestamps")
+_HOMES = {name: home for home, names in _USED.items() for name in names.split()}
+
+# For type checkers, any generated package is like this one.
+if TYPE_CHECKING:
+    from mip_protocol import lookup, reflection, registry, timestamps
+    from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
+    from mip_protocol._index import FAMILIES, FIELDS, SETS
+    from mip_protocol.client import Answer, TimedOut
+    from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits
+    from mip_protocol.described import Described
+    from mip_protocol.device import Device as DeviceAtPort
+    from mip_protocol.device import open_port
+    from mip_protocol.devices import DEVICES
+    from mip_protocol.errors import DecodeError, EncodeError, MipError, MissingExtra, PacketError, UnknownName
+    from mip_protocol.field import Command, Data, Field, Response, Structure, chosen
+    from mip_protocol.info import EnumInfo
+    from mip_protocol.lookup import device_id
+    from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField
+    from mip_protocol.parameter import Flag, Parameter
+    from mip_protocol.parser import Parser
+    from mip_protocol.port import READ_TIMEOUT
+    from mip_protocol.profile import Device, Port
+    from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
+    from mip_protocol.reflection import info, items
+    from mip_protocol.registry import MODULES, all_types, types
+    from mip_protocol.text import meant, shortest
+    from mip_protocol.timestamps import MOST, REACH, SECOND, from_date, headers, moments, moments_of, utc
+else:
+
+    def __getattr__(what: str) -> Any:
+        if what in _MODULES:
+            found = module(what)
+        elif what in _HOMES:
+            found = getattr(module(_HOMES[what]), what)
+        else:
+            raise AttributeError(f"module {__name__!r} has no attribute {what!r}")
+        globals()[what] = found
+        return found

@@ -1,0 +1,80 @@
+"""The times of packets, in the clocks that the specification names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from datetime import datetime, timedelta
+
+from ..binding import CLOCKS, REACH, SECOND, Packet, from_date, headers, moments, moments_of, utc
+
+_UNIX = datetime(1970, 1, 1)
+
+
+def dated(clock: str | None) -> bool:
+    """Does it have a date? Then its times are UTC."""
+    return clock is not None and CLOCKS[clock] is not None
+
+
+class Timeline:
+    """The time of each packet: its own, else the last one of its set."""
+
+    def __init__(self, clock: str | None) -> None:
+        self._clock = clock
+        self._last: dict[int, tuple[int | None, int]] = {}
+
+    def at(self, packet: Packet, offset: int) -> tuple[int | None, bool]:
+        """The time, None if none is known or it is not valid, and whether it is the packet's own."""
+        if self._clock is None:
+            return None, False
+        own = moments(packet)
+        if self._clock in own:
+            self._last[packet.set] = own[self._clock], offset
+            return own[self._clock], True
+        time, place = self._last.get(packet.set, (None, offset))
+        return (time if offset - place <= REACH else None), False
+
+
+def best(found: Callable[[], Iterable[Packet]]) -> str | None:
+    """The first clock that has a valid time in these packets; looks no further than that needs."""
+    seen: set[str] = set()
+    for packet in found():
+        seen.update(clock for clock, time in moments(packet).items() if time is not None)
+        if next(iter(CLOCKS), None) in seen:
+            break
+    return next((clock for clock in CLOCKS if clock in seen), None)
+
+
+def stamp(clock: str, time: int, digits: int = 9) -> str:
+    """A time as text: UTC in ISO 8601 for clocks with a date, seconds for others."""
+    if not dated(clock):
+        return seconds(time, digits)
+    unit = 10 ** (9 - digits)
+    second, rest = divmod((time + unit // 2) // unit * unit, SECOND)
+    try:
+        date = (_UNIX + timedelta(seconds=second)).isoformat(timespec="seconds")
+    except OverflowError:  # after the year 9999
+        return seconds(time, digits)
+    return f"{date}.{rest // unit:0{digits}d}Z"
+
+
+def seconds(time: int, digits: int = 9) -> str:
+    """Nanoseconds as a decimal number of seconds."""
+    unit = 10 ** (9 - digits)
+    whole, rest = divmod((abs(time) + unit // 2) // unit, 10**digits)
+    return f"{'-' if time < 0 else ''}{whole}.{rest:0{digits}d}"
+
+
+__all__ = [
+    "CLOCKS",
+    "SECOND",
+    "Timeline",
+    "best",
+    "dated",
+    "from_date",
+    "headers",
+    "moments",
+    "moments_of",
+    "seconds",
+    "stamp",
+    "utc",
+]

@@ -1,0 +1,59 @@
+"""The fields of a packet, with their values or the reason why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ..binding import DecodeError, Field, Packet, PacketError, RawField, chosen, registry
+
+
+class Found(NamedTuple):
+    """A field of a packet. `value` is None if `error` says why, or if the descriptor is unknown."""
+
+    raw: RawField
+    kind: type[Field] | None
+    value: Field | None
+    trailing: int = 0
+    error: str = ""
+
+
+def raw_fields(packet: Packet) -> Iterator[RawField]:
+    """The fields, up to a malformed one."""
+    try:
+        yield from packet
+    except PacketError:
+        return
+
+
+def malformed(packet: Packet) -> str:
+    """What is wrong with the fields of a packet; empty if nothing is."""
+    try:
+        for _ in packet:
+            pass
+    except PacketError as error:
+        return error.detail
+    return ""
+
+
+def decoded(raw: RawField) -> Found:
+    """A field with its values."""
+    types = registry.types(raw.set, raw.descriptor)
+    kind = chosen(types, raw)
+    if kind is None:
+        return Found(raw, None, None, error="its data fit no known layout" if types else "")
+    try:
+        value, trailing = kind.decode_with_trailing(raw.data)
+    except DecodeError as error:
+        return Found(raw, kind, None, error=error.detail)
+    return Found(raw, kind, value, trailing)
+
+
+def name_of(found: Found) -> str:
+    """The name of a field; numbers if it has none."""
+    if found.kind is not None:
+        return found.kind.name_in(found.raw.set)
+    return f"0x{found.raw.set:02X}:0x{found.raw.descriptor:02X}"
+
+
+__all__ = ["Found", "decoded", "malformed", "name_of", "raw_fields"]

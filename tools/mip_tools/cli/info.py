@@ -1,0 +1,298 @@
+"""`mip info`: what is in a log."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..binding import Packet
+from ..sentences import Sentences
+from . import clocks, inputs, scan, show
+from .clocks import CLOCKS, SECOND, dated, stamp
+from .decoding import decoded, name_of, raw_fields
+from .intervals import Intervals, Place
+
+EPILOG = """\
+examples:
+  mip info log.bin
+  mip info log.bin --json | jq '.fields[].name'
+
+Rates are in Hz by the timestamps in the packets, gaps left out. A gap is an interval of more than
+1.5 times the usual one between packets of a set. Damaged packets begin like one, but have a wrong
+checksum or no end.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    parser.add_argument("file", metavar="FILE", help="a log; - for standard input")
+    parser.add_argument("--json", action="store_true", help="print JSON, for programs")
+
+
+#: How many layouts of packets are counted apart before they are added up.
+MOST = 10_000
+
+
+@dataclass
+class Kind:
+    """A descriptor in packets of a set."""
+
+    name: str
+    count: int = 0
+    packets: int = 0
+
+
+@dataclass
+class Report:
+    """What was found; all of it in bounded memory."""
+
+    size: int = 0
+    packets: int = 0
+    malformed: int = 0
+    skipped: int = 0
+    runs: int = 0
+    damaged: int = 0
+    sentences: int = 0
+    sets: dict[int, int] = field(default_factory=dict)
+    fields: dict[tuple[int, int], Kind] = field(default_factory=dict)
+    clocks: dict[str, dict[int, Intervals]] = field(default_factory=lambda: {clock: {} for clock in CLOCKS})
+
+    #: (set, length, headers of the fields) -> packets that are not counted yet.
+    layouts: dict[tuple[int, int, bytes], int] = field(default_factory=dict)
+    seen: set[tuple[int, bytes]] = field(default_factory=set)
+
+    @property
+    def clock(self) -> str | None:
+        """The best clock that the log has."""
+        return next((clock for clock in CLOCKS if self.clocks[clock]), None)
+
+    @property
+    def times(self) -> dict[int, Intervals]:
+        """Set -> when its packets came, by that clock."""
+        return self.clocks[self.clock] if self.clock else {}
+
+
+def examine(name: str) -> Report:
+    """Reads a log once: by columns if NumPy is there, else packet by packet."""
+    report = Report()
+    log = inputs.as_columns(name)
+    if log is not None:
+        from . import info_columns
+
+        with log:
+            info_columns.examine(report, log)
+        return report
+    damaged = scan.Damaged()
+    sentences = Sentences()
+    for piece in inputs.pieces(name):
+        report.size += len(piece.data)
+        if piece.packet is None:
+            report.skipped += len(piece.data)
+            damaged.feed(piece.data)
+            report.sentences += len(sentences.feed(piece.data))
+        else:
+            damaged.end()
+            _packet(report, piece)
+    damaged.end()
+    report.runs, report.damaged = damaged.runs, damaged.count
+    _sum(report)
+    return report
+
+
+def _packet(report: Report, piece: scan.Piece) -> None:
+    packet, data = piece.packet, piece.data
+    assert packet is not None
+    report.packets += 1
+    headers = clocks.headers(data)
+    key = packet.set, len(data), headers
+    count = report.layouts.get(key)
+    if count is None:
+        _first_of(report, packet, headers)
+        report.layouts[key] = 1
+    else:
+        report.layouts[key] = count + 1
+    if packet.set >= 0x80:
+        for clock, time in clocks.moments_of(data, headers).items():
+            if time is not None:
+                sets = report.clocks[clock]
+                if packet.set not in sets:
+                    sets[packet.set] = Intervals()
+                sets[packet.set].add(time, piece.offset)
+    if len(report.layouts) >= MOST:
+        _sum(report)
+
+
+def _first_of(report: Report, packet: Packet, headers: bytes) -> None:
+    """Fields that are new get their names."""
+    if (packet.set, headers) not in report.seen:
+        report.seen.add((packet.set, headers))
+        for raw in raw_fields(packet):
+            if (raw.set, raw.descriptor) not in report.fields:
+                report.fields[raw.set, raw.descriptor] = Kind(name_of(decoded(raw)))
+
+
+def _sum(report: Report) -> None:
+    """Adds the counts of layouts to those of sets and fields."""
+    for (number, length, headers), count in report.layouts.items():
+        report.sets[number] = report.sets.get(number, 0) + count
+        report.malformed += count * (sum(headers[::2]) != length - 6)
+        for descriptor, several in Counter(headers[1::2]).items():
+            kind = report.fields[number, descriptor]
+            kind.count += several * count
+            kind.packets += count
+    report.layouts.clear()
+    report.seen.clear()
+
+
+# --------------------------------------------------------------------------- for people
+
+
+def run(options: argparse.Namespace) -> int:
+    report = examine(options.file)
+    if options.json:
+        print(json.dumps(as_json(options.file, report), indent=2))
+    else:
+        for text in lines(options.file, report):
+            print(text)
+    return 0
+
+
+def lines(name: str, report: Report) -> list[str]:
+    """The report as text."""
+    name = "standard input" if name == "-" else name
+    found = [f"{name}: {inputs.readable(report.size)}, {_count(report.packets, 'packet')}"]
+    found += list(_span(report))
+    found += list(_damage(report))
+    if report.fields:
+        found += ["", *_table(report)]
+    found += list(_gaps(report))
+    return found
+
+
+def _span(report: Report) -> Any:
+    clock = report.clock
+    if clock is None:
+        if report.packets:
+            yield "time: no valid timestamps"
+        return
+    firsts = [i.first for i in report.times.values() if i.first is not None]
+    lasts = [i.last for i in report.times.values() if i.last is not None]
+    first, last = min(firsts), max(lasts)
+    yield (
+        f"time: {stamp(clock, first, 3)} to {stamp(clock, last, 3)}, {duration((last - first) / SECOND)} "
+        f"({clock} clock{', as UTC' if dated(clock) else ''})"
+    )
+
+
+def _damage(report: Report) -> Any:
+    if not report.skipped:
+        yield "skipped: nothing"
+    else:
+        parts = [
+            _count(n, what)
+            for n, what in ((report.damaged, "damaged packet"), (report.sentences, "NMEA sentence"))
+            if n
+        ]
+        share = report.skipped / report.size
+        yield (
+            f"skipped: {_count(report.skipped, 'byte')} ({share:.2%}) in {_count(report.runs, 'place')}"
+            + (f": {', '.join(parts)}" if parts else "")
+        )
+    if report.malformed:
+        yield f"malformed: {_count(report.malformed, 'packet')} with a field that runs past its end"
+
+
+def _table(report: Report) -> list[str]:
+    rows = [("", "count", "rate Hz")]
+    for number, count in sorted(report.sets.items()):
+        times = report.times.get(number)
+        rate = times.rate if times else None
+        rows.append((f"{show.set_name(number)} (0x{number:02X})", str(count), hz(rate)))
+        for (set, _), kind in sorted(report.fields.items()):
+            if set == number:
+                own = rate * kind.packets / times.count if rate and times else None
+                rows.append((f"  {kind.name}", str(kind.count), hz(own)))
+    widths = [max(len(row[i]) for row in rows) for i in range(3)]
+    return [f"{a:<{widths[0]}}  {b:>{widths[1]}}  {c:>{widths[2]}}".rstrip() for a, b, c in rows]
+
+
+def _gaps(report: Report) -> Any:
+    clock = report.clock
+    for number, times in sorted(report.times.items()):
+        count, missing, places = times.gaps
+        if count:
+            yield ""
+            yield (f"{show.set_name(number)}: {_count(count, 'gap')}, {duration(missing)} are missing; the longest:")
+            yield from (_at(clock or "", place) for place in places)
+        if times.backwards:
+            yield ""
+            yield f"{show.set_name(number)}: time goes back {_count(times.backwards, 'time')}:"
+            yield from (_at(clock or "", place) for place in times.backward)
+
+
+def _at(clock: str, place: Place) -> str:
+    return f"  {place.seconds:+.6g} s before {stamp(clock, place.time, 3)}, byte {place.offset}"
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
+
+
+def hz(rate: float | None) -> str:
+    """A rate, or `-` if it is unknown."""
+    return "-" if rate is None else f"{rate:.4g}"
+
+
+def duration(seconds: float) -> str:
+    """A duration for people."""
+    if seconds < 60:
+        return f"{seconds:.3f} s"
+    minutes, rest = divmod(seconds, 60)
+    hours, minutes = divmod(int(minutes), 60)
+    return f"{hours} h {minutes:02d} min {rest:04.1f} s" if hours else f"{minutes} min {rest:04.1f} s"
+
+
+# --------------------------------------------------------------------------- for programs
+
+
+def as_json(name: str, report: Report) -> dict[str, Any]:
+    """The report as JSON has it; times in ns, since 1970 if the clock has a date."""
+    return {
+        "file": name,
+        "bytes": report.size,
+        "packets": report.packets,
+        "malformed": report.malformed,
+        "skipped": {
+            "bytes": report.skipped,
+            "places": report.runs,
+            "damaged": report.damaged,
+            "nmea": report.sentences,
+        },
+        "clock": report.clock,
+        "sets": [_set_json(report, number) for number in sorted(report.sets)],
+        "fields": [
+            {"set": set, "descriptor": descriptor, "name": kind.name, "count": kind.count}
+            for (set, descriptor), kind in sorted(report.fields.items())
+        ],
+    }
+
+
+def _set_json(report: Report, number: int) -> dict[str, Any]:
+    times = report.times.get(number, Intervals())
+    count, missing, places = times.gaps
+    return {
+        "set": number,
+        "name": show.set_name(number),
+        "packets": report.sets[number],
+        "rate": times.rate,
+        "first": times.first,
+        "last": times.last,
+        "gaps": {"count": count, "seconds": missing, "longest": [p._asdict() for p in places]},
+        "backward": {"count": times.backwards, "first": [p._asdict() for p in times.backward]},
+    }
+
+
+__all__ = ["Kind", "Report", "duration", "examine", "hz"]

@@ -1,0 +1,242 @@
+"""`mip plot`: values over time."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..binding import Data, MissingExtra, Parameter, UnknownName, info
+from ..errors import Failure, Misuse
+from ..occurrence import Occurrence
+from . import clocks, inputs, outputs
+from .selection import field, fields
+
+if TYPE_CHECKING:
+    from ..columns import Log
+
+EPILOG = """\
+examples:
+  mip plot log.bin sensor.scaled_accel -o accel.png
+  mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
+  mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
+
+The ending of the file chooses the format: png, svg, pdf. Values that their flags say are not valid
+are left out. Enumerations and flags are shown as numbers.
+"""
+FORMATS = ("png", "svg", "pdf")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("file", metavar="FILE", help="a log; - for standard input")
+    add("names", nargs="+", metavar="NAME", help="fields, or FIELD.PARAMETER, FIELD.PARAMETER.ELEMENT")
+    add("-o", "--output", metavar="FILE", help="an image; without it, a window opens")
+    add("--together", action="store_true", help="draw all in one diagram")
+    add("--invalid", choices=("mask", "keep"), default="mask", help="leave out invalid values (default), or keep them")
+    add("--size", type=_size, default=(10.0, 0.0), metavar="WxH", help="in inches; 10 wide by default")
+
+
+def _size(text: str) -> tuple[float, float]:
+    width, _, height = text.partition("x")
+    try:
+        found = float(width), float(height)
+    except ValueError:
+        found = 0.0, 0.0
+    if not all(1 <= number <= 100 for number in found):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size; write 10x6, in inches")
+    return found
+
+
+class Curve(NamedTuple):
+    kind: Occurrence
+    parameter: Parameter
+    path: str  # as columns name it
+    element: str  # of a vector; empty for all
+
+
+def run(options: argparse.Namespace) -> int:
+    pyplot = _matplotlib(window=options.output is None)
+    form = _format(options.output)
+    if options.output is not None:
+        outputs.refuse_input(options.output, options.file)
+    curves = [curve for name in options.names for curve in _curves(name)]
+    from ..columns import read_log
+
+    with inputs.seekable(options.file) as name, read_log(inputs.existing(name)) as log:
+        clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
+        figure = draw(pyplot, log, curves, clock, options)
+        if options.output is None:
+            pyplot.show()
+            return 0
+        with outputs.whole(options.output) as out:
+            figure.savefig(out, format=form, dpi=120)
+    outputs.note(f"{options.output}: {', '.join(options.names)}")
+    return 0
+
+
+def _matplotlib(window: bool) -> Any:
+    try:
+        import matplotlib
+        import numpy  # noqa: F401
+    except ImportError:
+        raise Failure(str(MissingExtra("matplotlib", "plot"))) from None
+    if not window:
+        matplotlib.use("Agg")
+    matplotlib.rcParams["agg.path.chunksize"] = 20_000
+    import matplotlib.pyplot as pyplot
+
+    if window and matplotlib.get_backend().lower() == "agg":
+        raise Failure("there is no screen for a window; write an image with -o FILE.png")
+    return pyplot
+
+
+def _format(output: str | None) -> str | None:
+    if output is None:
+        return None
+    ending = os.path.splitext(output)[1].lstrip(".").lower()
+    if output == "-":
+        return "png"
+    if ending not in FORMATS:
+        raise Misuse(f"what format is '{ending}'? name a file that ends in .png, .svg or .pdf")
+    return ending
+
+
+# --------------------------------------------------------------------------- what is drawn
+
+
+def _curves(name: str) -> list[Curve]:
+    """A field, one of its parameters, or an element of that."""
+    one, path = _split(name)
+    kind = one.kind
+    if not issubclass(kind, Data):
+        raise Misuse(f"{one.name} is not a data field; `mip info` lists the fields of a log")
+    numbers = [p for p in info(kind).members if _drawable(p)]
+    if not path:
+        plain = [p for p in numbers if p.type is None]  # flags and states only if they are named
+        if not plain:
+            raise Misuse(f"{one.name} has no numbers to draw; name one of its parameters")
+        return [Curve(one, p, p.attribute, "") for p in plain]
+    known = {p.name: p for p in numbers}
+    own = kind.NAME.partition(".")[2]
+    if path[0] not in known and own in known:  # sensor.scaled_accel.x
+        path = [own, *path]
+    if path[0] not in known or len(path) > 2:
+        raise Misuse(f"{one.name} has no number '{'.'.join(path)}'; it has {', '.join(known)}")
+    p = known[path[0]]
+    element = path[1] if len(path) > 1 else ""
+    if element and element not in p.elements:
+        has = f"it has {', '.join(p.elements)}" if p.elements else "it is one number"
+        whole = _title(Curve(one, p, p.attribute, ""))
+        raise Misuse(f"{whole} has no element '{element}'; {has}")
+    return [Curve(one, p, p.attribute, element)]
+
+
+def _drawable(p: Parameter) -> bool:
+    return p.kind in ("scalar", "array", "bits") and p.length is None and p.scalar != "char"
+
+
+def _split(name: str) -> tuple[Occurrence, list[str]]:
+    parts = name.split(".")
+    last: Failure | None = None
+    for count in range(len(parts), 0, -1):
+        begin = ".".join(parts[:count])
+        try:
+            fields(begin)
+        except (Failure, UnknownName) as error:
+            last = last or (error if isinstance(error, Failure) else None)
+            continue
+        return field(begin), parts[count:]  # what several sets have is refused here
+    raise last or Misuse(f"'{name}' is not a field")
+
+
+def draw(pyplot: Any, log: Log, curves: Sequence[Curve], clock: str | None, options: argparse.Namespace) -> Any:
+    """A figure with a diagram for each parameter, one above another, or with a single one."""
+    np: Any = import_module("numpy")  # its masked arrays are not typed in all versions
+    kinds = list(dict.fromkeys(c.kind for c in curves))
+    columns = dict(zip(kinds, log.columns(kinds)))
+    for kind, column in columns.items():
+        if not len(column):
+            raise Failure(f"{options.file} has no {kind.name}; `mip info` lists what it has")
+    count = 1 if options.together else len(curves)
+    width, height = options.size
+    figure, axes = pyplot.subplots(
+        count,
+        1,
+        sharex=True,
+        squeeze=False,
+        figsize=(width, height or 1.0 + 2.2 * count + 1.5 * (count == 1)),
+        layout="constrained",
+    )
+    several = len(curves) > 1 and options.together
+    units = list(dict.fromkeys(c.parameter.unit for c in curves))
+    for i, curve in enumerate(curves):
+        axis = axes[0 if options.together else i][0]
+        column = columns[curve.kind]
+        values: Any = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
+        if options.invalid == "mask":
+            valid = column.valid(curve.path)
+            values = np.where(valid[:, None] if valid.ndim < values.ndim else valid, values, np.nan)
+        times = _times(column, clock)
+        for element, series in _series(curve, values):
+            name = _title(curve) if several else curve.parameter.name
+            label = f"{name}.{element}" if several and element else element or name
+            axis.plot(times, series, label=label, linewidth=0.9, drawstyle=_style(curve))
+        one = len(units) == 1 or not options.together
+        unit = curve.parameter.unit if one else ", ".join(u for u in units if u not in ("", "1"))
+        axis.set_ylabel("" if unit in ("", "1") else unit)
+        if not options.together:
+            axis.set_title(_title(curve), loc="left", fontsize=10)
+        if values.dtype.kind == "f" and _style(curve) != "default":  # whole numbers
+            axis.yaxis.get_major_locator().set_params(integer=True)
+        if several or curve.parameter.elements:
+            axis.legend(loc="upper right", fontsize=8)
+    for (axis,) in axes:
+        axis.grid(True, linewidth=0.3)
+        axis.margins(x=0.01)
+    if clocks.dated(clock):
+        dates: Any = import_module("matplotlib.dates")
+        places = dates.AutoDateLocator()
+        axes[-1][0].xaxis.set_major_locator(places)
+        axes[-1][0].xaxis.set_major_formatter(dates.ConciseDateFormatter(places))
+    axes[-1][0].set_xlabel(_time_label(clock))
+    return figure
+
+
+def _title(curve: Curve) -> str:
+    name, own = curve.kind.name, curve.parameter.name
+    return name if name.partition(".")[2] == own else f"{name}.{own}"
+
+
+def _style(curve: Curve) -> str:
+    return "default" if curve.parameter.scalar in ("float", "double") else "steps-post"
+
+
+def _series(curve: Curve, values: Any) -> list[tuple[str, Any]]:
+    if values.ndim == 1:
+        return [("", values)]
+    elements = curve.parameter.elements
+    return [(e, values[:, i]) for i, e in enumerate(elements) if not curve.element or e == curve.element]
+
+
+def _times(column: Any, clock: str | None) -> Any:
+    import numpy as np
+
+    if clock is None:
+        return column.packet
+    found = column.time(clock).values
+    if clocks.dated(clock):
+        return found
+    return np.where(np.isnat(found), np.nan, found.astype(np.int64) / 1e9)
+
+
+def _time_label(clock: str | None) -> str:
+    if clock is None:
+        return "number of the packet"
+    return "UTC" if clocks.dated(clock) else f"{clock} clock in s"
+
+
+__all__ = ["Curve", "draw"]

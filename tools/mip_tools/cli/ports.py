@@ -1,0 +1,119 @@
+"""Ports on the command line."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import queue
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, overload
+
+from ..binding import MipError
+from ..errors import Failure
+from .scan import Piece, Scanner
+
+if TYPE_CHECKING:
+    from ..binding import DeviceAtPort
+
+#: Seconds without a byte until an incomplete packet is discarded.
+SILENCE = 0.5
+_TURN = 0.1
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--baud",
+        type=_baud,
+        default=115200,
+        metavar="BD",
+        help="baud rate of a serial port; `auto` finds it (default: 115200)",
+    )
+
+
+def _baud(text: str) -> int | None:
+    if text == "auto":
+        return None
+    if not text.isascii() or not text.isdigit() or not 0 < int(text) < 10**8:
+        raise argparse.ArgumentTypeError(f"'{text.strip()}' is not a baud rate; use a number or `auto`")
+    return int(text)
+
+
+class Lost(Failure):
+    """A port that has closed by itself."""
+
+
+@contextmanager
+def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[DeviceAtPort]:
+    """A device at a port. Raises Failure if it cannot be opened."""
+    from ..binding import open_port
+
+    if os.path.isfile(name):
+        raise Failure(f"{name} is a file, not a port")
+
+    try:
+        device = open_port(name, options.baud, **more)
+    except (OSError, ImportError, MipError, ValueError) as error:
+        raise Failure(f"{name} cannot be opened: {reason(error)}") from None
+    with device:
+        yield device
+
+
+def reason(error: BaseException) -> str:
+    """The message of an exception, in one line."""
+    said = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    number = getattr(error, "errno", None)
+    if number and str(said).startswith("could not open port"):  # pyserial: with the port once more
+        said = os.strerror(number)
+    return " ".join(str(said).split())
+
+
+def received(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[bytes]:
+    """The bytes received at a port, as they arrive, until the time is over; empty after a pause.
+
+    Raises Lost when the port closes, after all that was received.
+    """
+    came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+    with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        end = None if seconds is None else time.monotonic() + seconds
+        while True:
+            left = _TURN if end is None else min(_TURN, end - time.monotonic())
+            if left <= 0:
+                return
+            closed = device.closed  # before the queue is asked: what came last is in it
+            try:
+                yield came.get(timeout=0 if closed else left)
+            except queue.Empty:
+                if closed:
+                    raise Lost(f"{name} was closed") from None
+                yield b""
+
+
+@overload
+def pieces(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[Piece]: ...
+@overload
+def pieces(name: str, options: argparse.Namespace, seconds: float | None, idle: bool) -> Iterator[Piece | None]: ...
+def pieces(name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False) -> Iterator[Any]:
+    """The packets received at a port, and the bytes between them; `idle`: None after pauses.
+
+    Raises Lost when the port closes, after all that was received.
+    """
+    scanner = Scanner()
+    last = time.monotonic()
+    try:
+        for data in received(name, options, seconds):
+            if data:
+                last = time.monotonic()
+                yield from scanner.feed(data)
+            elif time.monotonic() - last > SILENCE:
+                yield from scanner.flush()
+            if idle and not data:
+                yield None
+    except Lost:
+        yield from scanner.flush()
+        raise
+    yield from scanner.flush()
+
+
+__all__ = ["Lost", "add_arguments", "opened", "pieces", "reason", "received"]

@@ -1,0 +1,101 @@
+"""`mip record`: what a device sends, into a file."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import IO
+
+from ..errors import Failure
+from . import inputs, outputs, ports, signals
+from .arguments import positive, seconds
+from .scan import Scanner
+
+EPILOG = """\
+examples:
+  mip record /dev/ttyACM0 -o log.bin          until Ctrl-C
+  mip record localhost:5000 -o log.bin --duration 60
+  mip record /dev/ttyACM0 -o - | mip dump -
+
+Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut`
+removes them. The file gets its name when the recording ends, also by Ctrl-C; until then, and if
+the program is killed, it is FILE.NUMBER.part.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
+    add("--duration", type=seconds, metavar="S", help="end after S seconds")
+    add("--packets", type=positive, metavar="N", help="end after N packets")
+    add("--force", action="store_true", help="replace an older recording, if anything is received")
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    old = options.output != "-" and outputs.holds_bytes(options.output)
+    if old and not options.force:
+        raise Failure(f"{options.output} exists; name another file, or replace it with --force")
+    recording = _Recording(options)
+    closed = False
+    with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True, replace=options.force) as out:
+        try:
+            recording.write(out)
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+        except ports.Lost:
+            closed = True
+        finally:
+            outputs.progress("")
+        if not recording.size:
+            what = "was closed before it sent anything" if closed else "has sent nothing"
+            kept = f"; {options.output} is as it was" if old else ""
+            raise Failure(f"{options.port} {what}{kept}")
+    outputs.note(recording.status())
+    if closed:
+        raise Failure(f"{options.port} was closed after {inputs.readable(recording.size)}, which are kept")
+    return 0
+
+
+class _Recording:
+    def __init__(self, options: argparse.Namespace) -> None:
+        self._options = options
+        self._scanner = Scanner()
+        self.size = 0
+        self.packets = 0
+        self.skipped = 0
+        self._shown = self._start = time.monotonic()
+
+    def write(self, out: IO[bytes]) -> None:
+        """Writes the received bytes until there are enough."""
+        options = self._options
+        for data in ports.received(options.port, options, options.duration):
+            keep = len(data)
+            for piece in self._scanner.feed(data):
+                self.packets += piece.packet is not None
+                self.skipped += len(piece.data) * (piece.packet is None)
+                if self.packets == options.packets:
+                    keep = piece.offset + len(piece.data) - self.size
+                    break
+            out.write(data[:keep])
+            out.flush()  # what is written is safe, whatever happens to this program
+            self.size += keep
+            self._show()
+            if self.packets == options.packets:
+                return
+
+    def status(self) -> str:
+        """What has been recorded."""
+        spent = max(time.monotonic() - self._start, 1e-9)
+        return (
+            f"{spent:.0f} s, {inputs.readable(self.size)}, {self.packets} packets, "
+            f"{self.packets / spent:.0f} a second, {self.skipped} bytes skipped"
+        )
+
+    def _show(self) -> None:
+        now = time.monotonic()
+        if now - self._shown > 0.5:
+            self._shown = now
+            outputs.progress(self.status())

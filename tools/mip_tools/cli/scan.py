@@ -1,0 +1,83 @@
+"""Where the packets of a stream are, and the bytes between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ..binding import MAX_PAYLOAD, OVERHEAD, Packet, Parser
+
+#: Bytes that tell what becomes of a packet that begins with the first of them.
+REACH = MAX_PAYLOAD + OVERHEAD + 1
+_MOST = 1 << 16  # skipped bytes that are kept
+
+
+class Piece(NamedTuple):
+    """A packet, or bytes outside packets (`packet` is None), at an offset of the stream."""
+
+    offset: int
+    data: bytes
+    packet: Packet | None
+
+
+class Scanner:
+    """The parser, with offsets. All pieces together are the stream; memory is bounded."""
+
+    def __init__(self) -> None:
+        self._parser = Parser()
+        self._offset = 0
+
+    def feed(self, data: bytes) -> Iterator[Piece]:
+        """The pieces that are complete with these bytes."""
+        return self._pieces(self._parser.feed_all(data))
+
+    def flush(self) -> Iterator[Piece]:
+        """The pieces of what is left, at the end of a file or after a silence."""
+        return self._pieces(self._parser.flush_all())
+
+    def _pieces(self, found: list[Packet | bytes]) -> Iterator[Piece]:
+        for item in found:
+            data = bytes(item)
+            yield Piece(self._offset, data, item if isinstance(item, Packet) else None)
+            self._offset += len(data)
+
+
+class Damaged:
+    """How many packets the skipped bytes seem to have contained, as far as their syncs are complete."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        #: How many runs of skipped bytes there are.
+        self.runs = 0
+        self._run = bytearray()
+
+    def feed(self, data: bytes | memoryview) -> None:
+        """The next skipped bytes of a run."""
+        self.runs += not self._run
+        self._run += data
+        if len(self._run) > _MOST:
+            del self._run[: self._counted(len(self._run) - REACH)]
+
+    def end(self) -> None:
+        """A packet follows, or nothing."""
+        if self._run:
+            self._counted(len(self._run))
+            self._run.clear()
+
+    def _counted(self, stop: int) -> int:
+        """Counts those that begin before a place; returns where to go on."""
+        run, at = self._run, 0
+        while at < stop:
+            found = run.find(b"\x75\x65", at)
+            if found < 0 or found >= stop:
+                return stop
+            at = found + 2
+            if len(run) - found > 3 and run[found + 2] != 0:
+                self.count += 1
+                size = run[found + 3] + OVERHEAD
+                if bytes(run[found + size : found + size + 1]) in (b"", b"\x75"):
+                    at = found + size
+        return at
+
+
+__all__ = ["Damaged", "Piece", "Scanner"]

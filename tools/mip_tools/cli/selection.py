@@ -1,0 +1,124 @@
+"""The fields named on the command line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from ..binding import UnknownName, registry
+from ..errors import Misuse
+from ..occurrence import Occurrence, listed, named, of
+
+_NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
+
+#: (set, descriptor) of fields; without a descriptor, all fields of the set.
+Key = tuple[int, int | None]
+
+
+def keys(name: str) -> list[Key]:
+    """What a name means: a field, a set, or numbers such as 0x80 and 0x80:0x04. Raises Failure."""
+    numbers = _NUMBERS.fullmatch(name)
+    if numbers is not None:
+        set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())
+        if set is None or set > 255 or (descriptor or 0) > 255:
+            raise Misuse(f"'{name}' has a number above 255; use 0 to 255")
+        return [(set, descriptor)]
+    try:
+        return [(registry.set_by_name(name), None)]
+    except UnknownName:
+        return [(number, kind.DESCRIPTOR) for number, kind in fields(name)]
+
+
+def fields(name: str) -> list[Occurrence]:
+    """The fields of a name, in its set; several if it is ambiguous or several sets have it. Raises Failure."""
+    numbers = _NUMBERS.fullmatch(name)
+    if numbers is not None and numbers[2]:
+        set = int(numbers[1], 0)
+        found = registry.types(set, int(numbers[2], 0))
+        if not found:
+            raise Misuse(f"{name} is not a field; `mip fields` lists them")
+        return [of(set, kind) for kind in found]
+    try:
+        return named(name)
+    except UnknownName as error:
+        if error.kind == "ambiguous":
+            return [one for near in error.near for one in named(near)]
+        from .fields import has_words
+
+        more = f"`mip fields --search {name}` finds more"
+        raise Misuse(f"{error}; {more if has_words(name) else '`mip fields` lists the sets'}") from None
+
+
+def near(name: str) -> str:
+    """The names of sets and fields that may be meant; empty if there are none."""
+    for find in (registry.set_by_name, registry.by_name):
+        try:
+            find(name)
+        except UnknownName as error:
+            if "did you mean" in error.detail:
+                return " or ".join(error.near)
+    return ""
+
+
+def field(name: str) -> Occurrence:
+    """The one field of this name. Raises Failure if several sets have one."""
+    found = fields(name)
+    if len(found) > 1:
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.name for k in found)}")
+    return found[0]
+
+
+class Selection:
+    """The selected fields: all, or those of `only`, and none of `without`.
+
+    `data`: without `only`, data alone is selected, neither commands nor answers.
+    """
+
+    def __init__(self, only: Iterable[str] = (), without: Iterable[str] = (), data: bool = False) -> None:
+        self._only = _all(only)
+        self._without = _all(without)
+        self._least = 0x80 if data and not self._only else 0  # the first set that is selected
+        self._known: dict[tuple[int, int], bool] = {}
+
+    @property
+    def named(self) -> bool:
+        """Are there any names of what is wanted?"""
+        return bool(self._only)
+
+    @property
+    def everything(self) -> bool:
+        return not self._only and not self._without
+
+    def has(self, set: int, descriptor: int) -> bool:
+        """Is this field of a packet of this set selected?"""
+        known = self._known.get((set, descriptor))
+        if known is None:
+            known = not self._only or _within(self._only, set, descriptor)
+            known = known and set >= self._least
+            known = known and not _within(self._without, set, descriptor)
+            self._known[set, descriptor] = known
+        return known
+
+
+def _all(names: Iterable[str]) -> set[Key]:
+    """The keys of names, each perhaps several with commas between."""
+    found: set[Key] = set()
+    for text in names:
+        if _NUMBERS.fullmatch(text):
+            found.update(keys(text))
+            continue
+        for name in filter(None, (part.strip() for part in text.split(","))):
+            found.update(keys(name))
+    return found
+
+
+def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
+    if (number, None) in wanted or (number, descriptor) in wanted:
+        return True
+    if number < 0x80:  # the acknowledge is of no set
+        return (0, descriptor) in wanted
+    shared = not any(listed(t) for t in registry.types(number, descriptor))
+    return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)
+
+
+__all__ = ["Key", "Selection", "field", "fields", "keys", "near"]

@@ -1,0 +1,247 @@
+"""Typed values, as values of parameters."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+from collections.abc import Callable, Mapping, Sequence
+from enum import IntEnum, IntFlag
+from typing import Any
+
+from ..binding import Command, EncodeError, FunctionSelector, Parameter, Structure, info
+from ..errors import Failure, Misuse
+from .selection import keys, near
+
+_INTEGERS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64")
+
+
+def command(kind: type[Command], words: Sequence[str]) -> Command:
+    """A command of this type from a function and values. Raises Failure."""
+    build, words = _constructor(kind, words)
+    accepted = inspect.signature(build).parameters
+    wanted = [p for p in info(kind).parameters if p.attribute in accepted]
+    given: dict[str, Any] = {}
+    for p, word in _assigned(kind, wanted, words):
+        given[p.attribute] = value(p, word, given)
+    missing = [
+        p.name for p in wanted if p.attribute not in given and accepted[p.attribute].default is inspect.Parameter.empty
+    ]
+    if missing:
+        raise Misuse(f"{kind.NAME} needs {', '.join(missing)}; {usage(kind)}")
+    try:
+        built = build(**given)
+        built.encode()
+    except EncodeError as error:
+        raise Misuse(f"{kind.NAME} cannot be sent: {error.detail}; {usage(kind)}") from None
+    except (TypeError, ValueError) as error:
+        raise Misuse(f"{kind.NAME} cannot be sent: {error}; {usage(kind)}") from None
+    assert isinstance(built, Command)
+    return built
+
+
+def usage(kind: type[Command]) -> str:
+    """Where to find its parameters."""
+    return f"`mip fields {kind.NAME}` says what it takes"
+
+
+def functions(kind: type[Command]) -> list[str]:
+    """The functions that a command has constructors for."""
+    return [f.name.lower() for f in FunctionSelector if f.value in kind.REQUIRED and hasattr(kind, f.name.lower())]
+
+
+def wanted(kind: type[Command], function: str) -> list[str]:
+    """The names of the values that a function takes; in brackets if they may be left out."""
+    build = getattr(kind, function) if function else kind
+    accepted = inspect.signature(build).parameters
+    return [
+        p.name if accepted[p.attribute].default is inspect.Parameter.empty else f"[{p.name}]"
+        for p in info(kind).parameters
+        if p.attribute in accepted
+    ]
+
+
+def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..., Any], list[str]]:
+    known = functions(kind)
+    if not known:
+        return kind, list(words)
+    if not words or words[0].lower() not in known:
+        said = f"not '{words[0]}'" if words else "and it is missing"
+        raise Misuse(f"{kind.NAME} takes a function, {said}: {', '.join(known)}")
+    return getattr(kind, words[0].lower()), list(words[1:])
+
+
+def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) -> list[tuple[Parameter, str]]:
+    """Parameters with their words: by name, or in order. In the order of the parameters."""
+    by_name = {p.name: p for p in wanted} | {p.attribute: p for p in wanted}
+    found: dict[str, tuple[Parameter, str]] = {}
+    free = list(wanted)
+    for word in words:
+        name, equal, rest = word.partition("=")
+        if equal and name in by_name:
+            p, text = by_name[name], rest
+            if p.attribute in found:
+                raise Misuse(f"{name} is given twice")
+        elif equal and name.isidentifier():
+            names = ", ".join(p.name for p in wanted) or "none"
+            raise Misuse(f"{kind.NAME} has no parameter '{name}' here; it has {names}")
+        else:
+            while free and free[0].attribute in found:
+                free.pop(0)
+            if not free:
+                names = ", ".join(p.name for p in wanted) or "no values"
+                raise Misuse(f"'{word}' is one value too many; {kind.NAME} takes {names}")
+            p, text = free.pop(0), word
+        found[p.attribute] = (p, text)
+    return [found[p.attribute] for p in wanted if p.attribute in found]
+
+
+# --------------------------------------------------------------------------- values
+
+
+def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
+    """The value of a text for a parameter; `before` has the parameters before it."""
+    if p.kind == "switch":
+        tag = before.get(p.tag)
+        case = p.cases.get(int(tag)) if tag is not None else None
+        if case is None:
+            raise Misuse(f"{p.name} has nothing to be given for {p.tag}={tag}")
+        return value(case, text, before)
+    if text[:1] in "[{" and text:
+        try:
+            return _from_json(p, json.loads(text))
+        except json.JSONDecodeError as error:
+            raise Misuse(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
+    if p.kind == "struct":
+        return _structure(p, text)
+    if p.kind == "array":
+        parts = [part for part in text.split(",") if part]
+        return tuple(_structure(p, t) if _is_structure(p) else _scalar(p, t) for t in parts)
+    return _scalar(p, text)
+
+
+def _is_structure(p: Parameter) -> bool:
+    return isinstance(p.type, type) and issubclass(p.type, Structure)
+
+
+def _structure(p: Parameter, text: str) -> Any:
+    """`1:2` is a structure of two members."""
+    members = [m for m in info(p.type).parameters if m.attribute and m.kind != "constant"]
+    parts = text.split(":")
+    if len(parts) > len(members):
+        names = ":".join(m.name for m in members)
+        raise Misuse(f"{p.name}: '{text}' has too many parts; write {names}")
+    given: dict[str, Any] = {}
+    for m, part in zip(members, parts):
+        given[m.attribute] = value(m, part, given)
+    return _made(p, given)
+
+
+def _made(p: Parameter, given: dict[str, Any]) -> Any:
+    try:
+        return p.type(**given)
+    except TypeError:
+        names = ":".join(m.name for m in info(p.type).parameters if m.attribute)
+        raise Misuse(f"{p.name} has parts that are missing; write {names}") from None
+
+
+def _from_json(p: Parameter, given: Any) -> Any:
+    if isinstance(given, list):
+        return tuple(_from_json(p, v) for v in given)
+    if isinstance(given, dict) and _is_structure(p):
+        members = {m.name: m for m in info(p.type).parameters}
+        unknown = [name for name in given if name not in members]
+        if unknown:
+            raise Misuse(f"{p.name} has no '{unknown[0]}'; it has {', '.join(members)}")
+        found: dict[str, Any] = {}
+        for name, v in given.items():
+            m = members[name]
+            m = p if m is None else m
+            case = m.cases.get(int(found.get(m.tag, -1))) if m.kind == "switch" else m
+            found[m.attribute] = _from_json(case or m, v)
+        return _made(p, found)
+    if isinstance(given, (dict, type(None))):
+        raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
+    return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
+
+
+def _scalar(p: Parameter, text: str) -> Any:
+    kind = p.type if isinstance(p.type, type) else None
+    if p.kind == "text" or p.scalar == "char":
+        return text
+    if kind is not None and issubclass(kind, IntFlag):
+        return _flags(p, kind, text)
+    if kind is not None and issubclass(kind, IntEnum):
+        names = {name.lower(): member for name, member in kind.__members__.items()}
+        if text.lower() in names:
+            return names[text.lower()]
+        if (number := _integer(text)) is not None:
+            return kind(number)
+        raise Misuse(f"{p.name}: '{text}' is not one of {', '.join(names)}")
+    if p.scalar == "bool":
+        said = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
+        if text.lower() in said:
+            return said[text.lower()]
+        if (number := _integer(text)) is not None:
+            return number if number not in (0, 1) else bool(number)
+        raise Misuse(f"{p.name}: '{text}' is neither true nor false")
+    if p.scalar in _INTEGERS or p.kind == "bits":
+        number = _integer(text)
+        if number is None and p.scalar == "u8":
+            number = _named_number(text)
+            if number is None and (close := near(text)):
+                hint = f"neither a number nor a field; did you mean {close}?"
+                raise Misuse(f"{p.name}: '{text}' is {hint}")
+        if number is None:
+            raise Misuse(f"{p.name}: '{text}' is not a whole number")
+        return number
+    try:
+        return float(text)
+    except ValueError:
+        raise Misuse(f"{p.name}: '{text}' is not a number") from None
+
+
+def _integer(text: str) -> int | None:
+    if not re.fullmatch(r"[+-]?(?:0[xX][0-9A-Fa-f]+|0[bB][01]+|[0-9]+)", text):
+        return None
+    digits = text.lstrip("+-")
+    if len(digits) > 100:  # no parameter is so large
+        return None
+    number = int(digits, 0) if digits[:2].lower() in ("0x", "0b") else int(digits)
+    return -number if text.startswith("-") else number
+
+
+def _named_number(text: str) -> int | None:
+    """The number of a set, or the descriptor of a field, where a byte is required."""
+    try:
+        number, descriptor = keys(text)[0]
+    except Failure:
+        return None
+    return number if descriptor is None else descriptor
+
+
+def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
+    names = {name.lower(): member for name, member in kind.__members__.items()}
+    bits = 0
+    for part in filter(None, text.split("|")):
+        name, equal, number = part.strip().lower().partition("=")
+        known = names.get(name)
+        if equal and known is not None:
+            inner: Any = getattr(kind(known), name, None)
+            members = {n.lower(): int(v) for n, v in getattr(type(inner), "__members__", {}).items()}
+            many = members.get(number, _integer(number))
+            mask = int(known)
+            lowest = mask & -mask
+            if many is None or not 0 <= many * lowest <= mask:
+                raise Misuse(f"{p.name}: '{part}' does not fit; {name} has {bin(mask).count('1')} bits")
+            bits |= many * lowest
+        elif known is not None:
+            bits |= int(known)
+        elif (whole := _integer(name)) is not None:
+            bits |= whole
+        else:
+            raise Misuse(f"{p.name}: '{part}' is not one of {', '.join(names)}")
+    return kind(bits)
+
+
+__all__ = ["command", "functions", "usage", "value", "wanted"]

@@ -1,0 +1,57 @@
+"""Values of fields as text and for JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from enum import IntEnum
+from typing import Any
+
+from ..binding import Described, Parameter, Structure, info
+from ..binding import shortest as shortest
+
+
+def words(p: Parameter, value: Any) -> str:
+    """A value as text, with names but without units."""
+    return replace(p, units=()).format(value)
+
+
+def names(value: int) -> str:
+    """The name of an enumeration's value; its number if it has none."""
+    if isinstance(value, IntEnum):
+        return info(type(value)).names.get(int(value), str(int(value)))
+    return str(int(value))
+
+
+def number(value: float, scalar: str) -> str:
+    """A number as text, with as many digits as its type on the wire has."""
+    return shortest(value) if scalar == "float" else repr(value)
+
+
+def plain(value: Described, named: bool, device: str | None = None) -> dict[str, Any]:
+    """A field as strict JSON has it, numbers with as many digits as they have on the wire."""
+    found = value.to_dict(names=named, json=True, device=device)
+    _shorten(value.INFO.members, found)
+    return found
+
+
+def _shorten(members: Iterable[Parameter], held: dict[str, Any]) -> None:
+    for p in members:
+        if isinstance(p.type, type) and issubclass(p.type, Structure):
+            for inner in held[p.name] if isinstance(held[p.name], list) else [held[p.name]]:
+                if isinstance(inner, dict):
+                    _shorten(info(p.type).members, inner)
+        elif p.scalar == "float":
+            held[p.name] = _shorter(held[p.name])
+
+
+def _shorter(value: Any) -> Any:
+    if isinstance(value, float) and math.isfinite(value):
+        return float(shortest(value))
+    if isinstance(value, list):
+        return [_shorter(v) for v in value]
+    return {k: _shorter(v) for k, v in value.items()} if isinstance(value, dict) else value
+
+
+__all__ = ["names", "number", "plain", "words"]

@@ -1,0 +1,31 @@
+"""Columns of a log: an array for each parameter of each type of field.
+
+Needs NumPy, the extra `numpy`; frames need pandas, Polars or PyArrow too.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+try:
+    import numpy as _numpy  # noqa: F401
+except ImportError:
+    # The package itself can be imported, so that `python -m mip_tools.columns.build` can say it.
+    if not TYPE_CHECKING:  # for type checkers it would have any name
+
+        def __getattr__(name: str) -> Any:
+            from ..binding import MissingExtra
+
+            if name.startswith("__"):
+                raise AttributeError(name)
+            raise MissingExtra("numpy", "numpy")
+
+else:
+    from .column import Column
+    from .contents import TypeCount
+    from .general import Ragged
+    from .log import Log, read_log
+    from .native import compiled
+    from .times import Times
+
+__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]

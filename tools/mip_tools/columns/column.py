@@ -1,0 +1,151 @@
+"""The rows of one field of a log."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import numpy as np
+
+from ..binding import Field, Flag, Parameter, Structure, info
+from .general import Ragged, Values
+from .piece import Where
+from .scan import Array
+
+if TYPE_CHECKING:
+    from .log import Log
+    from .times import Times
+
+F = TypeVar("F", bound=Field)
+
+
+class Column(Generic[F]):
+    """All fields of one type and set in a log, in their order: an array for each parameter.
+
+    `column["scaled_accel"]` has the shape (rows, 3), a number (rows,), an array of fixed length
+    (rows, length). Enumerations, bitfields and bools are the integers on the wire; their types are
+    in `parameters`. Text is an array of `str`, an array of varying length a `Ragged`. The parameters
+    of a structure have names as `place.x`; those of a union's member too, behind the member's name:
+    `shape.circle.radius`. What is absent in a row is masked (`numpy.ma`).
+    """
+
+    def __init__(self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
+        self._log, self._only = log, only
+        self._values, self._where = values, where
+        #: The class of the field.
+        self.type = kind
+
+    def __len__(self) -> int:
+        return len(self._where)
+
+    @cached_property
+    def packet(self) -> Array:
+        """The number of the packet of each row in this log, from 0: shape (rows,), int64."""
+        return self._where.packet()
+
+    @cached_property
+    def offset(self) -> Array:
+        """Where that packet begins, in bytes from the beginning of the file: (rows,), int64."""
+        return self._where.offset()
+
+    @cached_property
+    def set(self) -> Array:
+        """The descriptor set of that packet: (rows,), uint8. It varies for shared fields."""
+        return self._where.set()
+
+    @property
+    def sets(self) -> list[int]:
+        """The descriptor sets of the packets, each once."""
+        return self._where.sets()
+
+    @property
+    def name(self) -> str:
+        """The full name of the field, in its set: "gnss_2.dop"."""
+        return self.type.NAME if self._only is None else self.type.name_in(self._only)
+
+    def __repr__(self) -> str:
+        return f"<Column {self.name}: {len(self)} rows of {', '.join(self.names)}>"
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        return tuple(self._values)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __getitem__(self, name: str) -> Array | Any:
+        """The values of a parameter: an array, or a `Ragged` if their number varies.
+
+        Raises KeyError if there is none of that name.
+        """
+        try:
+            return self._values[name]
+        except KeyError:
+            raise KeyError(f"{self.name} has {', '.join(self.names)}, not {name!r}") from None
+
+    @cached_property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The description of each column: type, unit, frame, range, flags."""
+        device = self._log.device
+        known = described(info(self.type).parameters, "")
+        return {name: p if device is None else p.on(device) for name, p in known}
+
+    def time(self, clock: str | None = None) -> Times:
+        """The time of each row, by its packet's own timestamp or the last one before it."""
+        return self._log.times(self, clock)
+
+    def valid(self, name: str) -> Array:
+        """Is each value valid, according to its flags? Shape (rows,), or (rows, elements) if each
+        has its flag.
+
+        Without a flag, every value is. Values that are absent are not.
+        """
+        values = self[name]
+        flags = [self._holds(name, flag) for flag in self.parameters[name].flags]
+        if isinstance(values, Ragged):
+            there = np.ones(len(values), bool) if values.mask is None else ~values.mask
+        else:
+            there = np.logical_not(absent(values))
+        if len(flags) > 1:
+            return np.asarray(np.stack(flags, axis=1) & there[:, None])
+        if flags:
+            there &= flags[0]
+        return np.asarray(there)
+
+    def _holds(self, name: str, flag: Flag) -> Array:
+        """The rows in which the valid flag of a column is set."""
+        record = name.rpartition(".")[0]
+        flags = self._values[f"{record}.{flag.attribute}" if record else flag.attribute]
+        if isinstance(flags, Ragged):  # of structures in an array
+            return np.ones(len(self), bool)
+        return np.asarray(flag.holds(np.asarray(flags)))
+
+    def objects(self) -> Iterator[F]:
+        """The same rows as objects."""
+        return self._log.objects(self.type, self._only)
+
+
+def absent(values: Array) -> Array:
+    """The rows that have no value."""
+    mask: Any = getattr(values, "mask", False)
+    whole = np.broadcast_to(mask, values.shape)
+    if not whole.size:
+        return np.zeros(len(values), bool)
+    return np.array(whole.reshape(len(values), -1)[:, 0])
+
+
+def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[str, Parameter]]:
+    """The columns of some parameters, and their descriptions."""
+    for p in parameters:
+        if p.kind == "counter" or p.constant is not None:
+            continue
+        name = prefix + p.attribute
+        cases = [c for c in p.cases.values() if c is not None]
+        if p.kind == "switch":
+            yield from described(tuple(cases), name + ".")
+        elif p.type is not None and issubclass(p.type, Structure):
+            yield from described(info(p.type).parameters, name + ".")
+        else:
+            yield name, p

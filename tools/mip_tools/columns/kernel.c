@@ -1,0 +1,185 @@
+/* The innermost loops of reading a log as columns. `native.py` calls them if this file has been
+ * compiled (`python -m mip_tools.columns.build`), `scan.py` and `walk.py` do the same without.
+ *
+ * Plain C99 that knows nothing of Python. Callers give arrays that are large enough.
+ */
+
+#include <stdint.h>
+#include <string.h>
+
+#if defined(_WIN32)
+#define API __declspec(dllexport)
+#else
+#define API __attribute__((visibility("default")))
+#endif
+
+enum {
+    HEAD = 4,
+    OVERHEAD = 6,
+    KINDS = 1024, /* different fields that are told apart at most: as in native.py */
+    BITS = 12,
+    SLOTS = 1 << BITS /* of the table that finds them */
+};
+
+/* The size of the packet that begins here, or 0 if there is none. `left` bytes belong to the log. */
+static int64_t packet_size(const uint8_t *data, int64_t left)
+{
+    uint32_t a = 0, b = 0;
+    int64_t size, i;
+
+    if (left < OVERHEAD || data[1] != 0x65 || data[2] == 0)
+        return 0;
+    size = data[3] + OVERHEAD;
+    if (size > left)
+        return 0;
+    for (i = 0; i < size - 2; i++) {
+        a += data[i];
+        b += a;
+    }
+    return data[size - 2] == (uint8_t)a && data[size - 1] == (uint8_t)b ? size : 0;
+}
+
+/* Where the packets begin and end that begin in `first` ... `limit`; returns their number. Packets
+ * never overlap; with `overlap` all that look like one are found.
+ */
+API int64_t mip_packets(const uint8_t *data, int64_t first, int64_t limit, int64_t length,
+                        int64_t overlap, int32_t *begin, int32_t *end)
+{
+    int64_t at = first, count = 0;
+
+    if (limit > length)
+        limit = length;
+    while (at < limit) {
+        int64_t size;
+
+        if (data[at] != 0x75) {
+            const uint8_t *next = memchr(data + at, 0x75, (size_t)(limit - at));
+            if (next == NULL)
+                break;
+            at = next - data;
+        }
+        size = packet_size(data + at, length - at);
+        if (size != 0) {
+            begin[count] = (int32_t)at;
+            end[count++] = (int32_t)(at + size);
+        }
+        at += size != 0 && !overlap ? size : 1;
+    }
+    return count;
+}
+
+/* Finds the number of a key in `keys`, of which there are `*count`; adds it if it is new. */
+static int32_t number_of(uint32_t key, uint32_t *keys, int64_t *count, uint16_t *slots)
+{
+    uint32_t slot = key * 2654435761u >> (32 - BITS);
+
+    while (slots[slot] != 0) {
+        if (keys[slots[slot] - 1] == key)
+            return slots[slot] - 1;
+        slot = (slot + 1) % SLOTS;
+    }
+    if (*count == KINDS)
+        return -1;
+    keys[*count] = key;
+    slots[slot] = (uint16_t)++*count;
+    return slots[slot] - 1;
+}
+
+/* Tells the fields of packets apart by set, descriptor and length: `keys` are set << 16 | descriptor
+ * << 8 | length, in the order in which they come first, `counts` how many fields each has. Returns
+ * the number of keys, or -1 if there are more than KINDS.
+ */
+API int64_t mip_count(const uint8_t *data, const int32_t *begin, int64_t packets, uint32_t *keys,
+                      int64_t *counts)
+{
+    uint16_t slots[SLOTS] = {0};
+    int64_t kinds = 0, p;
+
+    for (p = 0; p < packets; p++) {
+        const uint8_t *at = data + begin[p];
+        const uint8_t *stop = at + HEAD + at[3];
+        uint32_t set = (uint32_t)at[2] << 16;
+
+        for (at += HEAD; at < stop && at[0] >= 2 && at[0] <= stop - at; at += at[0]) {
+            int64_t before = kinds;
+            int32_t n = number_of(set | (uint32_t)at[1] << 8 | at[0], keys, &kinds, slots);
+            if (n < 0)
+                return -1;
+            counts[n] = n == before ? 1 : counts[n] + 1;
+        }
+    }
+    return kinds;
+}
+
+/* The packets of all these fields, and where in their payloads the data begin: those of the first
+ * key in the order of the log, then those of the second one ... `next` is where each key's begin,
+ * `end` where they end: another program may have changed the bytes since they were counted.
+ */
+API void mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, uint32_t *keys,
+                    int64_t kinds, int64_t *next, const int64_t *end, int32_t *packet,
+                    uint8_t *offset)
+{
+    uint16_t slots[SLOTS] = {0};
+    int64_t known = 0, p;
+
+    while (known < kinds)
+        number_of(keys[known], keys, &known, slots);
+    for (p = 0; p < packets; p++) {
+        const uint8_t *payload = data + begin[p] + HEAD;
+        const uint8_t *stop = payload + payload[-1];
+        const uint8_t *at = payload;
+        uint32_t set = (uint32_t)payload[-2] << 16;
+
+        while (at < stop) {
+            int length = at[0]; /* read once */
+            int32_t n;
+
+            if (length < 2 || length > stop - at)
+                break;
+            n = number_of(set | (uint32_t)at[1] << 8 | (uint32_t)length, keys, &known, slots);
+            if (n >= 0 && n < kinds && next[n] < end[n]) {
+                packet[next[n]] = (int32_t)p;
+                offset[next[n]++] = (uint8_t)(at + 2 - payload);
+            }
+            at += length;
+        }
+    }
+}
+
+/* As many bytes of each of these fields, one row for each. Every `item` bytes are turned round. */
+API void mip_gather(const uint8_t *data, const int32_t *begin, const int32_t *packet,
+                    const uint8_t *offset, int64_t rows, int64_t size, int64_t item, uint8_t *out)
+{
+    int64_t row, i;
+
+    for (row = 0; row < rows; row++, out += size) {
+        const uint8_t *from = data + begin[packet[row]] + HEAD + offset[row];
+
+        if (item == 4) {
+            for (i = 0; i < size; i += 4) {
+                out[i] = from[i + 3];
+                out[i + 1] = from[i + 2];
+                out[i + 2] = from[i + 1];
+                out[i + 3] = from[i];
+            }
+        } else if (item == 8) {
+            for (i = 0; i < size; i += 8) {
+                out[i] = from[i + 7];
+                out[i + 1] = from[i + 6];
+                out[i + 2] = from[i + 5];
+                out[i + 3] = from[i + 4];
+                out[i + 4] = from[i + 3];
+                out[i + 5] = from[i + 2];
+                out[i + 6] = from[i + 1];
+                out[i + 7] = from[i];
+            }
+        } else if (item == 2) {
+            for (i = 0; i < size; i += 2) {
+                out[i] = from[i + 1];
+                out[i + 1] = from[i];
+            }
+        } else {
+            memcpy(out, from, (size_t)size);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+"""A log as columns: its packets are found once, values are read when they are requested."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from copy import copy
+from typing import Any, TypeVar, overload
+
+from ..binding import Field, device_id
+from ..occurrence import every, of
+from . import contents, frames, scan, times, walk
+from .column import Column
+from .contents import TypeCount
+from .piece import NOTHING, Piece
+from .reader import Kind, Reader
+from .source import Source
+from .times import Stamps, Times
+
+F = TypeVar("F", bound=Field)
+
+_PIECE = 1 << 20  # bytes that are looked at together
+#: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
+#: are found again for each request.
+_KEPT = 10_000_000
+
+
+class Log:
+    """The packets that begin in some bytes of a log.
+
+    They are exactly those that `Parser` finds, however the file is divided: a packet belongs to the
+    part that contains its first byte. Memory is needed for the positions of the packets, up to a
+    limit, and for the requested columns; the file itself is not read into memory. A log of a path
+    can be pickled, for other processes: as the path and the bytes.
+    """
+
+    def __init__(self, source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> None:
+        """See `read_log`."""
+        #: The device that sent it, if that is known.
+        self.device = None if device is None else device_id(device)
+        if begin < 0 or (end is not None and end < begin):
+            raise ValueError(f"bytes {begin} to {end}: `begin` is 0 or more, and not behind `end`")
+        self._source = source if isinstance(source, Source) else Source(source)
+        #: Bytes of the whole file.
+        self.size = self._source.size
+        #: The bytes that the packets begin in.
+        self.begin = min(begin, self.size)
+        self.end = self.size if end is None else min(end, self.size)
+        self._kept: dict[int, Piece] = {}
+        self._first: int | None = None
+        self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
+        self._types: list[TypeCount] | None = None
+        #: (set, clock) -> timestamps, for `times`.
+        self.stamps: dict[tuple[int, str], Stamps] = {}
+
+    def __enter__(self) -> Log:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Closes the file. Columns already read remain valid."""
+        self._source.close()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies, also in other processes, open the file again."""
+        origin = self._source.origin
+        if origin is None:
+            raise TypeError("a log of an open file or a buffer cannot be pickled: read it from a path or from bytes")
+        return Log, (origin, self.begin, self.end, self.device)
+
+    def __repr__(self) -> str:
+        origin = self._source.origin
+        name = repr(origin) if isinstance(origin, str) else "in memory"
+        return f"<Log {name}: bytes {self.begin} to {self.end}>"
+
+    def parts(self, size: int = 1 << 26) -> Iterator[Log]:
+        """The same log in parts of this many bytes; together they have every packet once."""
+        if size < 1:
+            raise ValueError(f"a part has 1 byte or more, not {size}")
+        for begin in range(self.begin, self.end, size):
+            yield Log(self._source, begin, min(begin + size, self.end), self.device)
+
+    # ----------------------------------------------------------------- packets
+
+    @property
+    def packets(self) -> int:
+        """The number of packets."""
+        return self._counted()[0]
+
+    @property
+    def skipped(self) -> int:
+        """The number of bytes that are not part of a packet."""
+        return self._counted()[1]
+
+    def _counted(self) -> tuple[int, int]:
+        if self._counts is None:
+            for _ in self.pieces(fields=False):
+                pass
+        assert self._counts is not None
+        return self._counts
+
+    def pieces(self, fields: bool = True) -> Iterator[Piece]:
+        """For `Reader`: the pieces of the log in order, with their packets, and with the fields of these."""
+        if self._first is None:
+            self._first = self._beginning()
+        free, number = self._first, 0
+        covered = min(free, self.end) - self.begin
+        for begin in range(self.begin, self.end, _PIECE):
+            limit = min(_PIECE, self.end - begin)
+            data, length = self._source.piece(begin, limit, scan.AHEAD)
+            piece = self._kept.get(begin)
+            if piece is None:
+                found = scan.packets(data, max(0, free - begin), limit, length)
+                piece = Piece(begin, limit, number, found.at, found.end)
+                if number < _KEPT:
+                    self._kept[begin] = piece
+            else:
+                again = fields and piece.runs is None
+                groups = scan.grouped(data, piece.at) if again else []
+                found = scan.Found(piece.at, piece.end, groups)
+            if fields and piece.runs is None:
+                piece.runs = walk.runs(data, found)
+            own = copy(piece)  # other requests may look at the same piece meanwhile
+            own.data = data
+            yield own
+            own.data = NOTHING
+            number += len(piece.at)
+            if len(piece.end):
+                free = begin + int(piece.end[-1])
+                covered += int((piece.end - piece.at).sum())
+        if number:  # the last packet may end behind this part
+            covered -= max(0, free - self.end)
+        self._counts = number, self.end - self.begin - covered
+
+    def _beginning(self) -> int:
+        """Where the first packet may begin: one that begins before this part may reach into it."""
+        back = 8 * scan.REACH
+        while True:
+            begin = max(0, self.begin - back)
+            data, length = self._source.piece(begin, self.begin - begin, scan.AHEAD)
+            found = scan.clear(data, self.begin - begin, length, begin == 0)
+            if found is not None:
+                return begin + found
+            back *= 4
+
+    # ----------------------------------------------------------------- columns
+
+    @overload
+    def __getitem__(self, kind: type[F]) -> Column[F]: ...
+    @overload
+    def __getitem__(self, kind: Kind) -> Column[Any]: ...
+    def __getitem__(self, kind: Kind) -> Column[Any]:
+        """The fields of a type, also by its name ("sensor.scaled_accel"); a shared one of all sets.
+
+        They are those that `registry.decode_packet` returns: well formed, and long enough. A type of
+        which several sets have their own, such as those of two GNSS receivers, is found by its class
+        if the log has it in one of these sets only. "gnss_2.dop" is that of one set.
+
+        Raises LookupError if the specification has no such type, or if the log has it in several
+        sets and none of them is named.
+        """
+        return self.column(kind)
+
+    def __contains__(self, kind: Kind) -> bool:
+        """Has the log any field of this type, in whichever set?"""
+        kinds: Sequence[Kind] = [kind]
+        if isinstance(kind, type) and issubclass(kind, Field) and hasattr(kind, "SETS"):
+            kinds = every(kind)
+        return any(map(len, self.columns(kinds)))
+
+    def column(self, kind: Kind, set: int | None = None) -> Column[Any]:
+        """The fields of a type; of one that several sets have, those in packets of one set if wanted.
+
+        Raises LookupError as `log[kind]` does.
+        """
+        return self.columns([kind], set)[0]
+
+    def columns(self, kinds: Sequence[Kind] | None = None, set: int | None = None) -> list[Column[Any]]:
+        """The columns of several types, read together; without a list, of all that the log has, each
+        set apart."""
+        if kinds is None:
+            known = [count for count in self.types() if set is None or count.set == set]
+            kinds = list(dict.fromkeys(of(count.set, count.type) for count in known if count.type is not None))
+        readers = [Reader(self, kind, set) for kind in kinds]
+        for piece in self.pieces():
+            for reader in readers:
+                reader.add(piece)
+        return [reader.column() for reader in readers]
+
+    def objects(self, kind: type[F], set: int | None = None) -> Iterator[F]:
+        """The fields of a type as objects. Raises LookupError as `log[kind]` does."""
+        return Reader(self, kind, set).objects()
+
+    # ----------------------------------------------------------------- what is in it
+
+    def types(self) -> list[TypeCount]:
+        """How many fields of each type there are, by set and descriptor, and their rates."""
+        if self._types is None:
+            self._types = contents.types(self)
+        return self._types
+
+    def frame(
+        self,
+        kinds: Kind | Sequence[Kind],
+        *,
+        library: str = "pandas",
+        time: str | None = "auto",
+        invalid: str = "keep",
+        units: bool = True,
+        position: bool = False,
+    ) -> Any:
+        """A data frame of one type, or of several: a row for each packet that has any of them.
+
+        `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
+        that the log has, None for no time; `time_own` is False where the packet itself has no
+        timestamp (see `Times`). `invalid="mask"` leaves out values whose flag says that they are
+        not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` says
+        whether their units are included, in the names or in the metadata of Arrow. A type without
+        parameters has one column, which is True in its rows. `position` adds the number of the
+        packet, its descriptor set and its place in the file.
+
+        Raises LookupError as `log[kind]` does, ValueError for other choices, MissingExtra if the library
+        is missing.
+        """
+        chosen: list[Any] = [kinds]
+        pair = isinstance(kinds, tuple) and len(kinds) == 2 and isinstance(kinds[0], int)
+        if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)) and not pair:
+            chosen = list(kinds)
+        if not chosen:
+            raise ValueError("a frame has one type or more")
+        columns = self.columns(chosen)
+        return frames.frame(self, columns, library, time, invalid, units, position)
+
+    # ----------------------------------------------------------------- time
+
+    def before(self, size: int) -> Log | None:
+        """For `times`: the part of so many bytes before this one, if there is any."""
+        if not self.begin:
+            return None
+        return Log(self._source, max(0, self.begin - size), self.begin, self.device)
+
+    def times(self, column: Column[Any], clock: str | None = None) -> Times:
+        """The time of each row of a column; see `Column.time`."""
+        return times.of(self, column, clock)
+
+
+def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:
+    """The log in a file (a path or a binary file, which is mapped into memory) or in bytes.
+
+    With `begin` and `end`, in bytes, only the packets that begin there. `device` is the id or name
+    of the device that sent it: devices differ in which flags say that values are valid.
+
+    Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
+    after `end`, LookupError if there is no such device.
+    """
+    return Log(source, begin, end, device)

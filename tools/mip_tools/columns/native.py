@@ -1,0 +1,112 @@
+"""The innermost loops in compiled code, if there is any: `python -m mip_tools.columns.build` makes it.
+
+It gives the same as `scan` and `walk`, which are used without it.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias
+from zlib import crc32
+
+import numpy as np
+
+Array: TypeAlias = "np.ndarray[Any, Any]"
+
+SOURCE = Path(__file__).with_name("kernel.c")
+
+_KINDS = 1024  # as in kernel.c
+_SMALLEST = 6  # bytes of a packet
+
+
+def library(folder: Path = SOURCE.parent) -> Path:
+    """Where the compiled code is. Its name changes with the source: what is older is never loaded."""
+    ending = "dll" if sys.platform == "win32" else "so"
+    return folder / f"kernel-{crc32(SOURCE.read_bytes()):08x}.{ending}"
+
+
+class Fields(NamedTuple):
+    """Fields of one set, descriptor and length."""
+
+    set: int
+    descriptor: int
+    length: int  # of the data
+    packet: Array  # numbers of the packets in the piece
+    offset: Array  # of the data in the payload
+
+
+class Kernel:
+    """The functions of the compiled code. None of them keeps the lock of the interpreter."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises OSError if it cannot be loaded, AttributeError if it is something else."""
+        import ctypes
+
+        loaded = ctypes.CDLL(str(path))
+        place, number = ctypes.c_void_p, ctypes.c_int64
+
+        def function(name: str, result: Any, *arguments: Any) -> Any:
+            found = getattr(loaded, name)
+            found.restype, found.argtypes = result, arguments
+            return found
+
+        self._packets = function("mip_packets", number, place, number, number, number, number, place, place)
+        self._count = function("mip_count", number, place, place, number, place, place)
+        self._fields = function("mip_fields", None, place, place, number, place, number, *[place] * 4)
+        self._gather = function("mip_gather", None, *[place] * 4, number, number, number, place)
+
+    def packets(self, data: Array, first: int, limit: int, length: int, overlap: bool) -> tuple[Array, Array]:
+        """Where packets begin and end that begin in `first` … `limit`; with `overlap`, all that look like one."""
+        most = max(0, limit - first) // (2 if overlap else _SMALLEST) + 1
+        at, end = np.empty(most, np.int32), np.empty(most, np.int32)
+        count = self._packets(_at(data), first, limit, length, overlap, _at(at), _at(end))
+        return at[:count].copy(), end[:count].copy()
+
+    def fields(self, data: Array, at: Array) -> list[Fields] | None:
+        """The fields of packets; None if there are too many different ones."""
+        keys, counts = np.empty(_KINDS, np.uint32), np.empty(_KINDS, np.int64)
+        kinds = self._count(_at(data), _at(at), len(at), _at(keys), _at(counts))
+        if kinds < 0:
+            return None
+        stop = np.cumsum(counts[:kinds])
+        next_ = stop - counts[:kinds]
+        begin = next_.tolist()
+        total = int(stop[-1]) if kinds else 0
+        # Zeros: rows that are left over, as the bytes of a file have changed, are in the first packet.
+        packet, offset = np.zeros(total, np.int32), np.zeros(total, np.uint8)
+        rows = (_at(next_), _at(stop), _at(packet), _at(offset))
+        self._fields(_at(data), _at(at), len(at), _at(keys), kinds, *rows)
+        return [
+            Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b])
+            for key, a, b in zip(keys[:kinds].tolist(), begin, stop.tolist())
+        ]
+
+    def gather(self, data: Array, at: Array, packet: Array, offset: Array, item: int, rows: Array) -> None:
+        """The bytes of fields, one row for each. They consist of items of so many bytes, which are turned round."""
+        packet = packet.astype(np.int32, copy=False)
+        places = (_at(data), _at(at), _at(packet), _at(offset))
+        self._gather(*places, len(rows), rows.shape[1], item, _at(rows))
+
+
+def _at(array: Array) -> int:
+    """The address of an array."""
+    return int(array.ctypes.data)
+
+
+def found(path: Path | None = None) -> Kernel | None:
+    """The compiled code, if it is there and of this machine."""
+    try:
+        path = path or library()  # in a zip file, or a frozen program, there is no source
+        return Kernel(path) if path.exists() else None
+    except (OSError, AttributeError):
+        return None
+
+
+#: None: NumPy does everything.
+kernel: Kernel | None = found()
+
+
+def compiled() -> bool:
+    """Are the innermost loops compiled code? `python -m mip_tools.columns.build` compiles them."""
+    return kernel is not None

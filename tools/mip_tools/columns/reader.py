@@ -1,0 +1,140 @@
+"""Reads the fields of one type, piece by piece."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ..binding import DecodeError, Field, RawField, chosen, info, registry
+from ..occurrence import listed, named_set
+from . import general, layout, walk
+from .column import Column
+from .piece import Piece, Where
+from .rows import Rows
+from .scan import HEADER, Array
+
+if TYPE_CHECKING:
+    from .log import Log
+
+
+#: A field: its class, its name, or a set and a class, as `registry.all_types` has them.
+Kind: TypeAlias = "type[Field] | str | tuple[int, type[Field]]"
+
+
+class Reader:
+    """Collects the rows of a column."""
+
+    def __init__(self, log: Log, kind: Kind, set: int | None) -> None:
+        """Raises LookupError if the specification has no such type in that set."""
+        name, said = repr(kind), None
+        if isinstance(kind, str):
+            kind = registry.by_name(name := kind)
+            said = named_set(name, kind)
+        elif isinstance(kind, tuple) and len(kind) == 2:
+            said, kind = kind
+        if not (isinstance(kind, type) and issubclass(kind, Field) and hasattr(kind, "SETS")):
+            raise LookupError(f"{name} is not a field: a column needs a class such as sensor.ScaledAccel, or its name")
+        if set is not None and said not in (None, set, 0, registry.SHARED_SET):
+            raise KeyError(f"set 0x{set:02X} has no field {name}")
+        sets = listed(kind)
+        if set is None:
+            set = said if sets or said not in (0, registry.SHARED_SET) else None
+        self._log, self._kind = log, kind
+        self._set = sets[0] if set is None and len(sets) == 1 else set
+        #: The sets that it is looked for in; empty: all.
+        self._sets = sets if self._set is None else (self._set,)
+        if not all(map(self._in, self._sets or kind.SETS[:1])):
+            where = "the specification" if set is None else f"set 0x{set:02X}"
+            raise KeyError(f"{where} has no field {kind.NAME}")
+        several = any(len(registry.types(n, kind.DESCRIPTOR)) > 1 for n in self._sets)
+        self._layout = None if several else layout.layout(kind)
+        self._rows = None if self._layout is None else Rows(self._layout, log.end)
+        self._objects: list[Any] = []
+        self._where = Where(self._set or 0)
+
+    def _in(self, number: int) -> bool:
+        """Have packets of a set this field?"""
+        if self._set is not None and number != self._set:
+            return False
+        return self._kind in registry.types(number, self._kind.DESCRIPTOR)
+
+    def _runs(self, piece: Piece) -> list[walk.Run]:
+        """The fields in a piece with the right descriptor and enough data."""
+        width = 0 if self._layout is None else self._layout.dtype.itemsize
+        descriptor = self._kind.DESCRIPTOR
+        return [
+            run
+            for run in piece.runs or ()
+            if run.descriptor == descriptor and run.length >= width and self._in(run.set)
+        ]
+
+    def _fields(self, piece: Piece) -> tuple[Array, Array] | None:
+        """Their packets, and their offsets in the payloads."""
+        runs = self._runs(piece)
+        if not runs:
+            return None
+        return walk.places(runs, len(piece.at))
+
+    def add(self, piece: Piece) -> None:
+        """Adds what is in a piece."""
+        found = self._fields(piece)
+        if found is None:
+            return
+        packet, offset = found
+        if self._rows is not None:
+            self._rows.add(piece, packet, offset)
+        else:
+            values = list(self._decoded(piece, packet, offset))
+            packet = packet[np.array([v is not None for v in values], bool)]
+            self._objects += [v for v in values if v is not None]
+        self._where.add(piece, packet)
+
+    def _decoded(self, piece: Piece, packet: Array, offset: Array) -> Iterator[Field | None]:
+        """The objects; None where they cannot be decoded, or have another type."""
+        place = piece.at[packet] + HEADER + offset
+        sets, sizes = piece.data[piece.at[packet] + 2], piece.data[place - 2]
+        for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
+            data = piece.data[begin : begin + size - 2].tobytes()
+            raw = RawField(number, self._kind.DESCRIPTOR, data)
+            kind = chosen(registry.types(number, self._kind.DESCRIPTOR), raw)
+            try:
+                yield kind._received(raw) if kind is self._kind else None
+            except DecodeError:
+                yield None
+
+    def _one_of(self, present: list[int]) -> int | None:
+        """The only set that the log has it in. Raises LookupError if there are more: they are never mixed."""
+        if len(present) > 1:
+            names = [self._kind.name_in(n) for n in present]
+            raise LookupError(
+                f"the log has {self._kind.NAME} in several sets: {', '.join(names)}; "
+                f"name one, as log[{names[0]!r}] or log.column({self._kind.__name__}, 0x{present[0]:02X})"
+            )
+        return next(iter(present), None)
+
+    def column(self) -> Column[Any]:
+        """What was added."""
+        values: dict[str, Any]
+        right = None
+        if self._rows is None or self._layout is None:
+            values = general.columns(info(self._kind).parameters, self._objects)
+        else:
+            rows = self._rows.whole()
+            fixed, right = layout.values(self._kind, rows, self._layout, self._rows.turned)
+            values = dict(fixed)
+        self._where.keep(right)
+        only = self._set
+        if only is None and self._sets:
+            only = self._one_of(self._where.sets())
+        return Column(self._log, self._kind, values, self._where, only)
+
+    def objects(self) -> Iterator[Any]:
+        """The rows as objects."""
+        if self._set is None and self._sets:
+            self._one_of(sorted({run.set for piece in self._log.pieces() for run in self._runs(piece)}))
+        for piece in self._log.pieces():
+            found = self._fields(piece)
+            if found is not None:
+                yield from (v for v in self._decoded(piece, *found) if v is not None)

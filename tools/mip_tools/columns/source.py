@@ -1,0 +1,73 @@
+"""The bytes of a log: a file, which is mapped and not read, or a buffer."""
+
+from __future__ import annotations
+
+import io
+import mmap
+import os
+from typing import Any
+
+import numpy as np
+
+from .scan import Array
+
+
+class Source:
+    """Bytes that are looked at piece by piece."""
+
+    def __init__(self, given: Any) -> None:
+        self._map: mmap.mmap | None = None
+        #: What another process can read the same from: a path or bytes.
+        self.origin: str | bytes | None = given if isinstance(given, bytes) else None
+        if isinstance(given, (str, os.PathLike)):
+            self.origin = os.path.abspath(os.fsdecode(given))
+            with open(given, "rb") as file:
+                data = self._mapped(file)
+        elif hasattr(given, "read"):
+            data = self._mapped(given)
+        else:
+            data = given
+        try:
+            self._view = memoryview(data).cast("B")
+        except TypeError:
+            name = type(given).__name__
+            raise TypeError(f"a log is a path, a binary file or bytes without gaps, not {name}") from None
+        self.size = len(self._view)
+
+    def _mapped(self, file: Any) -> Any:
+        """What follows in a file, without reading it now, if it can be mapped."""
+        if isinstance(file, (io.BufferedReader, io.BufferedRandom, io.FileIO)):  # none that decodes
+            try:
+                begin = file.tell()
+                self._map = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+                return memoryview(self._map)[begin:]
+            except (OSError, ValueError):  # a pipe, an empty file
+                pass
+        data = file.read()
+        if isinstance(data, str):
+            raise TypeError("a log is bytes: open the file in binary mode")
+        return data
+
+    def piece(self, begin: int, size: int, ahead: int) -> tuple[Array, int]:
+        """Bytes from `begin` on and some more, and how many of them belong to the log.
+
+        There are always as many as asked for: zeros stand behind the end.
+        """
+        try:
+            bytes_ = self._view[begin : begin + size + ahead]
+        except ValueError:
+            raise ValueError("the log is closed") from None
+        data = np.frombuffer(bytes_, np.uint8)
+        missing = size + ahead - len(data)
+        if not missing:
+            return data, len(data)
+        return np.concatenate((data, np.zeros(missing, np.uint8))), len(data)
+
+    def close(self) -> None:
+        """Closes the file. Columns already read remain valid."""
+        self._view.release()
+        if self._map is not None:
+            try:
+                self._map.close()
+            except BufferError:  # some other part of the program still looks at it
+                pass

@@ -1,0 +1,194 @@
+"""The time of rows: by the timestamps of packets, in the clocks that the specification names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ..binding import CLOCKS, MOST, REACH, timestamps
+from .scan import Array
+
+if TYPE_CHECKING:
+    from .column import Column
+    from .log import Log
+
+NONE = np.iinfo(np.int64).min  # what NumPy calls NaT
+_LACKING = NONE + 1
+
+
+class Times(NamedTuple):
+    """The time of each row."""
+
+    #: The clock. "" if the log has no timestamp of the sets at hand.
+    clock: str
+    #: `datetime64[ns]`, UTC, of a clock that has a date; of another one `timedelta64[ns]` since its
+    #: start. NaT where it is not known or not valid.
+    values: Array
+    #: True where it is the timestamp of the packet itself, False where it is the last one before it
+    #: in a packet of the same set, up to `REACH` bytes away.
+    own: Array
+
+
+class Stamps:
+    """The first timestamp of each packet of a set that has one."""
+
+    def __init__(self, packet: Array, value: Array, offset: Callable[[], Array]) -> None:
+        self.packet = packet  # numbers in the log, negative for those before a part of it
+        self.value = value  # nanoseconds
+        self._offset = offset
+        #: Is any of them valid?
+        self.some = bool(len(value)) and bool((value != NONE).any())
+
+    @cached_property
+    def offset(self) -> Array:
+        """Where the packets begin in the file."""
+        return self._offset()
+
+    @cached_property
+    def by_packet(self) -> Array:
+        """The value of each packet from the first to the last one; `_LACKING` where there is none."""
+        table = np.full(int(self.packet[-1] - self.packet[0]) + 1, _LACKING, np.int64)
+        table[self.packet - self.packet[0]] = self.value
+        return table
+
+
+def of(log: Log, column: Column[Any], clock: str | None) -> Times:
+    """The times of the rows of a column. Raises ValueError if there is no such clock."""
+    if clock is not None and clock not in CLOCKS:
+        raise ValueError(f"{clock!r} is not a clock; one of {', '.join(CLOCKS)} is")
+    numbers = column.sets
+    clock = clock or chosen(log, numbers)
+    if len(numbers) == 1 and clock:
+        values, own = at(log, numbers[0], clock, column.packet, lambda: column.offset)
+        return Times(clock, values.view(dtype(clock)), own)
+    values = np.full(len(column), NONE, np.int64)
+    own = np.zeros(len(column), bool)
+    for number in numbers if clock else ():
+        rows = np.flatnonzero(column.set == number)
+        part = at(log, number, clock, column.packet[rows], partial(column.offset.take, rows))
+        values[rows], own[rows] = part
+    return Times(clock, values.view(dtype(clock)), own)
+
+
+def dtype(clock: str) -> str:
+    """The type of times of a clock."""
+    return "datetime64[ns]" if CLOCKS.get(clock) else "timedelta64[ns]"
+
+
+def chosen(log: Log, sets: list[int]) -> str:
+    """The first clock that has a valid timestamp in packets of each of these sets, else of any."""
+    has = {clock: [stamps(log, number, clock).some for number in sets] for clock in CLOCKS}
+    every = [clock for clock, found in has.items() if found and all(found)]
+    return next(iter([*every, *(clock for clock, found in has.items() if any(found)), ""]))
+
+
+def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
+    """How often a field comes, in Hz, by the steadiest clock: that of the device, if it is there."""
+    for clock in reversed(CLOCKS):
+        known = stamps(log, set, clock)
+        if len(known.packet):
+            where = np.searchsorted(known.packet, [first, last], side="right") - 1
+            if where[0] >= 0:
+                begin, end = (int(value) for value in known.value[where])
+                if begin != NONE and end > begin:
+                    return (count - 1) / (end - begin) * 1e9
+    return None
+
+
+def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array]) -> tuple[Array, Array]:
+    """The times of some packets of a set, in their order, and whether these are their own."""
+    known = stamps(log, set, clock)
+    if not len(known.packet) or not len(packet):
+        return np.full(len(packet), NONE, np.int64), np.zeros(len(packet), bool)
+    if np.array_equal(packet, known.packet):  # as in most logs
+        return known.value.copy(), np.ones(len(packet), bool)
+    first = int(known.packet[0])
+    inside = int(packet[0]) >= first and int(packet[-1]) <= int(known.packet[-1])
+    if inside and len(known.by_packet) < 16 * len(packet):
+        values = known.by_packet[packet - first if first else packet]
+        own = values != _LACKING
+        if own.all():
+            return values, own
+    where = np.searchsorted(known.packet, packet, side="right") - 1
+    values, own = known.value[where], known.packet[where] == packet
+    missing = where < 0
+    missing |= offset() - known.offset[where] > REACH
+    values[missing] = NONE
+    own &= where >= 0
+    return values, own
+
+
+def stamps(log: Log, set: int, clock: str) -> Stamps:
+    """The timestamps of a set, of packets shortly before a part of a log too."""
+    if (set, clock) not in log.stamps:
+        log.stamps[set, clock] = _joined(log, set, clock)
+    return log.stamps[set, clock]
+
+
+def _joined(log: Log, set: int, clock: str) -> Stamps:
+    own = read(log, set, clock)
+    before = log.before(REACH)
+    if before is None:
+        return own
+    earlier = read(before, set, clock)
+    return Stamps(
+        np.concatenate((earlier.packet - before.packets, own.packet)),
+        np.concatenate((earlier.value, own.value)),
+        lambda: np.concatenate((earlier.offset, own.offset)),
+    )
+
+
+def read(log: Log, set: int, clock: str) -> Stamps:
+    """The timestamps of a set in a log itself."""
+    kinds = timestamps.kinds(set, clock)
+    columns = [c for c in log.columns(kinds, set) if len(c)] if kinds else []
+    packet = _whole([column.packet for column in columns])
+    value = _whole([nanoseconds(column, clock) for column in columns])
+    if (packet[1:] > packet[:-1]).all():
+        return Stamps(packet, value, lambda: _whole([column.offset for column in columns]))
+    order = np.argsort(packet, kind="stable")  # of several in a packet the first by descriptor
+    first = np.ones(len(packet), bool)
+    first[1:] = packet[order[1:]] != packet[order[:-1]]
+    order = order[first]
+    return Stamps(packet[order], value[order], lambda: _whole([c.offset for c in columns])[order])
+
+
+def _whole(parts: list[Array]) -> Array:
+    return parts[0] if len(parts) == 1 else np.concatenate([np.zeros(0, np.int64), *parts])
+
+
+def nanoseconds(column: Column[Any], clock: str) -> Array:
+    """The sum of what a timestamp says in weeks, seconds, nanoseconds; UTC if the clock has a date."""
+    total = np.zeros(len(column), np.int64)
+    bad = np.zeros(len(column), bool)
+    for name, p in column.parameters.items():
+        scale = timestamps.scale(p)
+        if scale is None:
+            continue
+        values = np.asarray(column[name])
+        with np.errstate(all="ignore"):
+            if values.dtype.kind == "f":
+                values = np.rint(values.astype(np.float64) * scale)
+                bad |= ~(np.abs(values) < MOST)
+                total += values.astype(np.int64)
+            else:
+                most = (MOST - 1) // scale  # by whole numbers, as a float would round it
+                if len(values) and (int(values.max()) > most or int(values.min()) < -most):
+                    bad |= (values > most) | (values < -most)
+                total += values.astype(np.int64) * scale
+        if p.flags:
+            bad |= ~column.valid(name)
+    if CLOCKS[clock]:
+        total[bad] = 0
+        total = utc(total, clock)
+    total[bad] = NONE
+    return total
+
+
+def utc(value: Array, clock: str) -> Array:
+    """Nanoseconds of a clock as those since 1970 in UTC; during a leap second the next one begins."""
+    begins, shifts = (np.array(numbers, np.int64) for numbers in timestamps.leaps(clock))
+    return np.asarray(value + shifts[np.searchsorted(begins, value, side="right")])

@@ -1,0 +1,48 @@
+"""The commands of `mip`, and the option that all of them have."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from .errors import Misuse
+
+#: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
+COMMANDS = {
+    "dump": ("cli.dump", "show packets with names, values and units"),
+    "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),
+    "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
+    "plot": ("cli.plot", "plot values of a log over time"),
+    "cut": ("cli.cut", "copy a part of a log"),
+    "record": ("cli.record", "write what a device sends to a file"),
+    "monitor": ("cli.monitor", "show the latest values of a device, live"),
+    "send": ("cli.send", "send a command and show the answer"),
+    "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
+    "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
+    "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
+    "completion": ("cli.completion", "print a script for completion in a shell"),
+}
+
+PACKAGE = "--package"
+
+
+def loaded(command: str) -> Any:
+    """The module of a command. It imports what it uses of the generated package."""
+    return import_module(f".{COMMANDS[command][0]}", __package__)
+
+
+def without_package(words: list[str]) -> tuple[str | None, list[str]]:
+    """What `--package` names, before or behind the command, and the other words. Raises Misuse."""
+    end = words.index("--") if "--" in words else len(words)
+    for i, word in enumerate(words[:end]):
+        option, equals, value = word.partition("=")
+        if option == PACKAGE:
+            if not equals:
+                value = next(iter(words[i + 1 : end]), "")
+            if not value:
+                raise Misuse(f"{PACKAGE} needs the name or the folder of a generated package")
+            return value, words[:i] + words[i + (1 if equals else 2) :]
+    return None, words
+
+
+__all__ = ["COMMANDS", "PACKAGE", "loaded", "without_package"]

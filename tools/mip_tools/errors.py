@@ -1,0 +1,25 @@
+"""Exceptions that end a command, with the line that it prints."""
+
+from __future__ import annotations
+
+
+class Failure(Exception):
+    """The message of a command line that ends it: the problem and the remedy, in one line."""
+
+    def __init__(self, text: str, status: int = 1) -> None:
+        super().__init__(text)
+        self.status = status
+
+
+class Misuse(Failure):
+    """A command line that is wrong: an unknown name, a value that cannot be."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text, 2)
+
+
+class NoBinding(Failure, ImportError):
+    """There is no generated package to work on, or it lacks something that a tool needs."""
+
+
+__all__ = ["Failure", "Misuse", "NoBinding"]

@@ -1,0 +1,65 @@
+"""A field in packets of one descriptor set: what is counted, shown and exported apart from those of other sets."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from .binding import SETS, Field, lookup, registry
+
+
+class Occurrence(NamedTuple):
+    """A pair as those of `registry.all_types`. What is in every set is one: 0xFF, or 0 of the acknowledge."""
+
+    set: int
+    kind: type[Field]
+
+    @property
+    def name(self) -> str:
+        """Its full name: "gnss_2.dop"."""
+        return self.kind.name_in(self.set)
+
+
+def listed(kind: type[Field]) -> tuple[int, ...]:
+    """The sets that have a field, if these are listed; empty for shared fields and the acknowledge."""
+    return () if isinstance(kind.SETS, range) else tuple(kind.SETS)
+
+
+def of(set: int, kind: type[Field]) -> Occurrence:
+    """A field of a packet of this set."""
+    return Occurrence(set if listed(kind) else kind.SET, kind)
+
+
+def every(kind: type[Field]) -> list[Occurrence]:
+    """A field in each of its sets; what is in every set is one."""
+    return [of(number, kind) for number in listed(kind) or (0,)]
+
+
+def named(name: str) -> list[Occurrence]:
+    """The field of a name, in the set that the name begins with; in each of its sets if it names none.
+
+    Raises UnknownName.
+    """
+    kind = registry.by_name(name)
+    wanted = named_set(name, kind)
+    return every(kind) if wanted is None else [Occurrence(wanted, kind)]
+
+
+def named_set(name: str, kind: type[Field]) -> int | None:
+    """Which of the sets of a field its name says: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if none."""
+    sets = listed(kind)
+    if len(sets) == 1:
+        return sets[0]
+    number = re.match(r"\(?0x([0-9a-f]{1,2}) *,", name.strip(), re.I)
+    if number and int(number[1], 16) in sets:
+        return int(number[1], 16)
+    said = _letters(name).removeprefix(_letters(lookup.PREFIX))
+    begins = [(len(word), n) for n in sets for word in map(_letters, SETS.get(n, ())) if said.startswith(word)]
+    return max(begins)[1] if begins else None
+
+
+def _letters(name: str) -> str:
+    return re.sub(r"[^a-z0-9]", "", name.lower())
+
+
+__all__ = ["Occurrence", "every", "listed", "named", "named_set", "of"]

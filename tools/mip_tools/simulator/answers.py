@@ -1,0 +1,94 @@
+"""Responses: which one answers a command, and its contents."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Command, Parameter, Response, Structure, reflection
+from . import knowledge
+from .checks import NOTHING
+from .facts import COMMANDS, VALUES, FieldValues, Value
+from .names import named
+from .settings import arguments, filled, is_setting
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+
+EMPTY = FieldValues()
+
+
+def response(device: VirtualDevice, command: Command) -> Response | None:
+    """The response to a command that is carried out; None if it requests none."""
+    kind = _layout(device, command)
+    if kind is None:
+        return None
+    kept = device.settings.current(command) if is_setting(type(command)) else command
+    known = {p.name: getattr(kept, p.attribute, None) for p in reflection.info(type(kept)).parameters}
+    source = VALUES.get(kind.NAME, EMPTY)
+    context = {**known, **arguments(command)}
+    given: dict[str, Any] = {}
+    for p in reflection.info(kind).parameters:
+        if p.kind not in ("constant", "counter"):
+            given[p.attribute] = _value(device, p, p.name, source, context, known, given)
+    made: Response = kind(**given)
+    return made
+
+
+def _layout(device: VirtualDevice, command: Command) -> Any:
+    """Of several layouts, that of the device; else the first that is not limited to certain devices."""
+    layouts = command.expected
+    of = COMMANDS.get(command.NAME, NOTHING).answers
+    own = [kind for kind in layouts if device.profile.id in of.get(kind.NAME.partition(".")[2], ())]
+    others = [kind for kind in layouts if kind.NAME.partition(".")[2] not in of]
+    return next(iter([*own, *others, *layouts]), None)
+
+
+def _value(
+    device: VirtualDevice,
+    p: Parameter,
+    path: str,
+    source: FieldValues,
+    context: dict[str, Any],
+    known: dict[str, Any],
+    beside: dict[str, Any],
+) -> Any:
+    value = source.parameters.get(path)
+    if value is not None:
+        return _shown(device, p, value, context)
+    if any(name.startswith(f"{path}.") for name in source.parameters):
+        members: dict[str, Any] = {}
+        for member in reflection.info(p.type).parameters:
+            if member.kind not in ("constant", "counter"):
+                members[member.attribute] = _value(
+                    device, member, f"{path}.{member.name}", source, context, known, members
+                )
+        return p.type(**members)
+    if known.get(path) is not None:
+        return known[path]
+    return filled(p, beside, p.default)
+
+
+def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str, Any]) -> Any:
+    if value.text is not None:
+        return value.text.ljust(p.length) if isinstance(p.length, int) else value.text
+    if value.number is not None:
+        return value.number
+    if value.names or value.bits:
+        return named(p.type, value.names or value.bits)
+    found = quantity(device, value.quantity, context)
+    if p.type is not None and isinstance(p.type, type) and issubclass(p.type, Structure):
+        return tuple(p.type(*item) for item in found)
+    if isinstance(found, Sequence) or p.kind == "text":
+        return found
+    scaled = found * value.factor
+    return float(scaled) if p.scalar in ("float", "double") else bool(scaled) if p.scalar == "bool" else int(scaled)
+
+
+def quantity(device: VirtualDevice, name: str, context: dict[str, Any]) -> Any:
+    """The value from the device itself, else from the world."""
+    own = knowledge.QUANTITIES.get(name)
+    return device.world.quantity(name, context) if own is None else own(device, context)
+
+
+__all__ = ["quantity", "response"]

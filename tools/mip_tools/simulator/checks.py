@@ -1,0 +1,129 @@
+"""Whether a device takes the values of a command: ranges, named values, instances."""
+
+from __future__ import annotations
+
+import math
+from enum import IntEnum
+from typing import Any
+
+from ..binding import Command, Device, Parameter, Structure, reflection, single_from_bits, single_to_bits
+from .codes import INVALID_PARAMETER, READ, SETS, Refused
+from .facts import COMMANDS, Behavior, Difference, difference
+
+NOTHING = Behavior()
+SAME = Difference()
+
+
+def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
+    """Raises Refused. `keys` select an instance of a setting; others than writes may have dummy values in the rest."""
+    function = getattr(command, "function", None) if command.REQUIRED else None
+    required = 0 if function is None else command.REQUIRED.get(function, 0)
+    for number, p in enumerate(reflection.info(type(command)).parameters):
+        value = _value(p, command)
+        if value is None or (command.REQUIRED and p.name == "function"):
+            continue
+        if p.attribute in keys and meaning_all(command, p.attribute, value, function):
+            continue
+        if function is None or function in SETS or p.attribute in keys or number <= required:
+            reading = profile.readings.get(f"{command.NAME}.{p.name}")
+            _parameter(p, value, command, difference(p, profile.id), reading, profile)
+    _instances(command, profile, function)
+
+
+def _value(p: Parameter, record: Structure) -> Any:
+    """The value of a parameter; None if it has none, or always the same."""
+    if p.counts:
+        counted = getattr(record, p.counts)
+        return None if counted is None else len(counted)
+    return None if p.kind == "constant" else getattr(record, p.attribute)
+
+
+def meaning_all(command: Command, name: str, value: Any, function: int | None) -> bool:
+    """Does the value select all instances, and may it with this function?"""
+    everything = COMMANDS.get(command.NAME, NOTHING).all.get(name)
+    return everything is not None and value == everything and function not in (*SETS, READ)
+
+
+def data_sets(profile: Device) -> frozenset[int]:
+    """The data sets that a device sends."""
+    known = (*profile.fields, *profile.perhaps)
+    return frozenset(set for set, _ in known if 0x80 <= set < 0xFF)
+
+
+def _instances(command: Command, profile: Device, function: int | None) -> None:
+    behavior = COMMANDS.get(command.NAME, NOTHING)
+    for name, what in behavior.instances.items():
+        value: Any = getattr(command, name)
+        if value is None or meaning_all(command, name, value, function):
+            continue
+        value = behavior.translate.get(name, {}).get(value, value)
+        if what == "data_sets":
+            known = value in data_sets(profile) or not data_sets(profile)  # a profile may not tell them
+        elif what == "ports":
+            known = any(port.id == value for port in profile.ports)
+        else:
+            limit = profile.limits.get(what)
+            known = limit is None or 1 <= value <= limit.value
+        if not known:
+            raise Refused(INVALID_PARAMETER)
+
+
+def _parameter(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
+    if p.kind == "array" and not p.elements:
+        for item in value:
+            _one(p, item, record, differs, reading, profile)
+    elif p.kind == "switch":
+        case = p.cases.get(getattr(record, p.tag))
+        if case is not None:
+            _parameter(case, value, record, SAME, None, profile)
+    else:
+        _one(p, value, record, differs, reading, profile)
+
+
+def _one(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
+    if isinstance(value, Structure):
+        for member in reflection.info(type(value)).parameters:
+            held = _value(member, value)
+            if held is not None:
+                _parameter(member, held, value, SAME, None, profile)
+        return
+    if isinstance(value, tuple):
+        least, most = p.magnitude
+        if not (least or 0) <= math.hypot(*value) <= (math.inf if most is None else most) and (least, most) != (
+            None,
+            None,
+        ):
+            raise Refused(INVALID_PARAMETER)
+    elif not _named(p, value, record, differs, reading):
+        raise Refused(INVALID_PARAMETER)
+    for number in value if isinstance(value, tuple) else (value,):
+        if isinstance(number, (int, float)) and not _inside(p, number, differs):
+            raise Refused(INVALID_PARAMETER)
+
+
+def _named(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any) -> bool:
+    """Is it one of the named values, if the parameter is an enumeration?"""
+    if differs.values is not None:
+        return value in differs.values
+    kind = p.type or p.of(record).type or reading
+    if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
+        return True
+    return any(value == member for member in kind)
+
+
+def _inside(p: Parameter, value: float, differs: Difference) -> bool:
+    least = p.minimum if differs.minimum is None else differs.minimum
+    most = p.maximum if differs.maximum is None else differs.maximum
+    if p.scalar == "float":  # a limit is inside as the number that the parameter can hold: pi is rounded up
+        least, most = (None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most))
+    return (
+        math.isfinite(value)
+        and (least is None or value >= least)
+        and (most is None or value <= most)
+        and (p.above is None or value > p.above)
+        and (p.below is None or value < p.below)
+        and (differs.constant is None or value == differs.constant)
+    )
+
+
+__all__ = ["check", "data_sets", "meaning_all"]

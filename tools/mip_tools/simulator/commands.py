@@ -1,0 +1,126 @@
+"""Carries out the commands of a packet, one after another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Acknowledge, Command, DecodeError, Packet, PacketError, RawField, chosen, registry, types
+from .answers import response
+from .checks import NOTHING, check, meaning_all
+from .codes import DEFAULT, INVALID_PARAMETER, LOAD, OK, SAVE, SETS, UNKNOWN_COMMAND, UNKNOWN_SET, Refused
+from .effects import DONE, Outcome, act
+from .facts import COMMANDS, FUNCTIONS
+from .settings import asking, is_setting, keys, place
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+    from .link import Link
+
+Group = Sequence[RawField]  # an acknowledge, perhaps with a response
+
+#: What a device still does in a direct mode, in which the host talks to a sensor inside.
+ALWAYS = ("communication_mode", "device_status")
+
+
+def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tuple[RawField, Group, Outcome]]:
+    """Each command with its answer, which is empty if it is silent, and what follows."""
+    try:
+        for raw in packet:
+            try:
+                command = _command(device, raw)
+                if command is None:
+                    continue
+                group, outcome = _done(device, link, command)
+                yield raw, group, outcome
+            except Refused as refusal:
+                code = _known(device, refusal.code)
+                yield raw, [_acknowledge(raw.set, raw.descriptor, code)], DONE
+    except PacketError:  # nothing can be found behind a malformed field
+        return
+
+
+def _known(device: VirtualDevice, code: int) -> int:
+    """Devices that have no code for an unknown set answer that they do not know the command."""
+    codes = device.profile.ack_codes
+    return UNKNOWN_COMMAND if code == UNKNOWN_SET and codes and code not in codes else code
+
+
+def _acknowledge(set: int, descriptor: int, code: int) -> RawField:
+    return RawField(set, Acknowledge.DESCRIPTOR, bytes((descriptor, code)))
+
+
+def _command(device: VirtualDevice, raw: RawField) -> Command | None:
+    """The command in a field; None if it is not answered at all. Raises Refused."""
+    if raw.descriptor == Acknowledge.DESCRIPTOR or raw.descriptor >= 0x80:
+        return None  # an answer, not a command
+    if all(set != raw.set for set, _ in device.known):
+        raise Refused(UNKNOWN_SET)
+    if (raw.set, raw.descriptor) not in device.known:
+        raise Refused(UNKNOWN_COMMAND)
+    kind = chosen(registry.types(raw.set, raw.descriptor), raw)
+    if kind is None or not issubclass(kind, Command):
+        raise Refused(UNKNOWN_COMMAND)
+    if device.direct and COMMANDS.get(kind.NAME, NOTHING).effect not in ALWAYS:
+        return None
+    try:
+        return kind.decode(raw.data)
+    except DecodeError:
+        raise Refused(INVALID_PARAMETER) from None
+
+
+def _done(device: VirtualDevice, link: Link, command: Command) -> tuple[Group, Outcome]:
+    kind = type(command)
+    function = getattr(command, "function", None) if kind.REQUIRED else None
+    if function is not None:
+        letters = device.profile.functions.get((kind.SET, kind.DESCRIPTOR))
+        if function not in kind.REQUIRED or (letters is not None and function not in {FUNCTIONS[x] for x in letters}):
+            raise Refused(INVALID_PARAMETER)
+    check(command, device.profile, keys(kind))
+    if is_setting(kind) and function in (SAVE, LOAD, DEFAULT):
+        outcome = _kept(device, command, function)
+    else:
+        outcome = act(device, command, link, function)
+        if is_setting(kind) and function in SETS:
+            device.settings.write(_written(command))
+    if not command.answered or _silenced(device, command):
+        return (), outcome
+    answer = [_acknowledge(kind.SET, kind.DESCRIPTOR, OK)]
+    found = response(device, command)
+    if found is not None:
+        answer.append(RawField(kind.SET, found.DESCRIPTOR, found.encode()))
+    return answer, outcome
+
+
+def _written(command: Command) -> Command:
+    """The command as it is kept: always as a write."""
+    kind: Any = type(command)
+    function = next(f for f in SETS if f in kind.REQUIRED)
+    kept: Command = kind.decode(bytes((function,)) + command.encode()[1:])
+    return kept
+
+
+def _kept(device: VirtualDevice, command: Command, function: int) -> Outcome:
+    """Saves, loads or resets a setting: one instance, or all."""
+    at = place(command)
+    names = keys(type(command))
+    everything = any(meaning_all(command, name, getattr(command, name), function) for name in names)
+    places = device.settings.places(at[0]) if everything else [at]
+    if function == SAVE:
+        device.settings.save(places)
+        return DONE
+    for one in places:
+        device.restore(one, saved=function == LOAD)
+    return DONE
+
+
+def _silenced(device: VirtualDevice, command: Command) -> bool:
+    """Does the setting of another command suppress the acknowledge of this one?"""
+    for set, descriptor, attribute, value in command.SILENCED_BY:
+        kind: Any = types(set, descriptor)[0]
+        if getattr(device.settings.current(asking(kind.NAME, [0] * len(keys(kind)))), attribute) == value:
+            return True
+    return False
+
+
+__all__ = ["carry_out"]

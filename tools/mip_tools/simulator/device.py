@@ -1,0 +1,406 @@
+"""A simulated device: it answers every command of a profile and streams data, all in simulated time.
+
+    device = VirtualDevice("3dm-cv7-gnss-ins")
+    link = device.connect()
+    link.write(bytes(Ping().packet()))
+    link.read()          # the acknowledge
+    device.advance(0.5)  # half a second passes
+    link.read()          # the data of that time
+
+Nothing happens by itself: bytes and time come from the caller, so that the same calls give the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from ..binding import Command, Device, Packet, RawField, registry
+from . import formats, nmea, ports, values, views
+from .checks import NOTHING
+from .codes import DEFAULT, LOAD, SAVE
+from .commands import carry_out
+from .effects import act
+from .events import Events
+from .facts import COMMANDS
+from .faults import Faults
+from .link import Link
+from .motion import Motion, Standing, parse_motion
+from .profiles import device_named, port_named
+from .settings import Place, Settings, arguments, asking, command_type, home
+from .streams import SECOND, Stream, answers, packets
+from .world import World
+
+#: How long a device takes to start; it answers nothing meanwhile.
+BOOT_TIME = SECOND // 2
+
+#: How long a host may pause inside a packet; then the device searches the bytes for another one.
+SILENCE = SECOND // 10
+
+#: Packets of commands that wait while another command takes its time; more are lost.
+MOST_WAITING = 32
+
+#: How often disturbances may happen.
+DISTURBANCE_TIME = SECOND // 10
+
+Encoder = Callable[[], list[RawField]]
+
+
+class VirtualDevice:
+    """One device. Times are in nanoseconds since the start unless said to be in seconds."""
+
+    def __init__(
+        self,
+        profile: Device | str,
+        *,
+        motion: Motion | str | None = None,
+        seed: int = 0,
+        start: int | None = None,
+        storage: Path | None = None,
+        faults: Faults | None = None,
+        trace: Callable[[str, bytes], None] | None = None,
+    ) -> None:
+        """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
+
+        `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
+
+        `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
+        """
+        self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
+        self.seed: int = seed
+        moving = parse_motion(motion) if isinstance(motion, str) else motion
+        self.faults = faults
+        self.settings = Settings(self.profile, storage)
+        self.world: World = World(moving or Standing(), seed=seed, start=start)
+        self.known = self.profile.fields | self.profile.perhaps.keys()
+        self.links: list[Link] = []
+        self.idle = False
+        self.direct = False
+        self.now: int = 0
+        self.booted: int = 0
+        self.bytes_sent: int = 0
+        self.bytes_received: int = 0
+        self.ready_at = 0
+        self._busy_until: int | None = None  # a command takes its time; others wait
+        self._waiting: list[tuple[Link, Packet]] = []
+        self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
+        self.trace = trace
+        self._streams: list[Stream] = []
+        self._encoders: dict[tuple[int, int, str], Encoder] = {}
+        self._disturbed = DISTURBANCE_TIME
+        self.events = Events(self)
+        self._waves: list[Stream] = []
+        self._settle()
+
+    # ----------------------------------------------------------------------- the host's side
+
+    def connect(self, port: str | None = None, capacity: int | None = None) -> Link:
+        """Connects a host with a port, the first one of the profile unless it is named. Hosts may share a port.
+
+        `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
+        Without it there is no limit: a host that no longer reads should `disconnect`.
+        """
+        if port is not None:
+            port = port_named(self.profile, port).name
+        name = port or next((p.name for p in self.profile.ports), "Main")
+        link = Link(name, self._receive, capacity)
+        self.links.append(link)
+        ports.arrange(self)
+        return link
+
+    def disconnect(self, link: Link) -> None:
+        link.closed = True
+        if self.faults is not None:
+            self.faults.forget(self.now, link)
+        self.links = [other for other in self.links if other is not link]
+
+    def drive(self, pin: int, level: bool) -> None:
+        """A signal from outside gives a pin this level, which counts while the pin is an input.
+
+        Raises ValueError if the device has no such pin.
+        """
+        self._check(pin)
+        before = self.world.level(pin)
+        self.world.signals[pin] = level
+        if self.world.level(pin) != before:
+            self.events.changed(pin, level)
+
+    def wave(self, pin: int, hertz: float) -> None:
+        """A square wave at a pin, low at first. Raises ValueError if the device has no such pin."""
+        self._check(pin)
+        change = [(1, pin)]
+        self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
+
+    def _check(self, pin: int) -> None:
+        limit = self.profile.limits.get("gpio_pins")
+        if not 1 <= pin <= (255 if limit is None else limit.value):
+            raise ValueError(f"the device has no pin {pin}")
+
+    def _change(self, pins: list[int]) -> None:
+        for pin in pins:
+            self.drive(pin, not self.world.signals.get(pin, False))
+
+    def advance(self, seconds: float) -> None:
+        """Time passes."""
+        self.run_until(self.now + round(seconds * SECOND))
+
+    def run_until(self, time: int) -> None:
+        """Time passes up to this moment, with everything that is due by then."""
+        while (due := self.next) is not None and due <= time:
+            self._move(due)
+            for link in list(self.links):
+                if link.parser.pending and link.heard + SILENCE <= due:
+                    self._taken(link, link.parser.flush())
+                link.arrive(due)
+                for data in link.due(due):
+                    self._transmit(link, data)
+            for wave in self._waves:
+                if wave.next <= due:
+                    wave.fire()
+            if self._busy_until is not None and self._busy_until <= due:
+                self._go_on()
+            for stream in list(self._streams):
+                if stream.next <= due and stream in self._streams:
+                    stream.fire()
+            self.events.run(due)
+            if self.faults is not None and self._disturbed <= due:
+                self._disturb()
+        self._move(max(self.now, time))
+
+    @property
+    def next(self) -> int | None:
+        """When something happens next without the host."""
+        times = [stream.next for stream in (*self._streams, *self._waves)]
+        times += [link.next for link in self.links if link.next is not None]
+        times += [link.heard + SILENCE for link in self.links if link.parser.pending]
+        times += [t for t in (self._busy_until, self.events.next) if t is not None]
+        if self.faults is not None:
+            times.append(self._disturbed)
+        return min(times, default=None)
+
+    @property
+    def busy(self) -> bool:
+        """Does it have something to send, now or later, by itself?"""
+        late = any(link.next is not None for link in self.links)
+        streams = bool(self._streams) or self.events.sends
+        return streams or late or self._busy_until is not None
+
+    def reset(self) -> None:
+        """Restarts the device with its saved settings."""
+        for link in self.links:
+            link.clear()
+        self.settings.restart()
+        self._busy_until = None
+        self._waiting.clear()
+        self._behind.clear()
+        self.idle = self.direct = False
+        self.world.pins.clear()
+        self.world.pulled_up.clear()
+        self.booted = self.now
+        self.ready_at = self.now + BOOT_TIME
+        self._settle()
+
+    @property
+    def dropped(self) -> int:
+        """Packets dropped because hosts had no room."""
+        return sum(link.dropped for link in self.links)
+
+    def _move(self, time: int) -> None:
+        self.now = time
+        self.world.move_to(time)
+
+    def _disturb(self) -> None:
+        assert self.faults is not None
+        self._disturbed += DISTURBANCE_TIME
+        event = self.faults.event(self.now)
+        if event == "reset":
+            self.reset()
+        elif event == "disconnect":
+            for link in list(self.links):
+                self.disconnect(link)
+
+    # ----------------------------------------------------------------------- commands
+
+    def _receive(self, link: Link, data: bytes) -> None:
+        self.bytes_received += len(data)
+        if self.faults is not None:
+            data = self.faults.receive(self.now, data)
+        if self.now < self.ready_at or not link.takes & ports.MIP:
+            return
+        link.heard = self.now
+        self._taken(link, link.parser.feed(data))
+
+    def _taken(self, link: Link, found: Iterable[Packet]) -> None:
+        for packet in found:
+            if packet.set < 0x80:
+                self._answer(link, packet)
+
+    def _answer(self, link: Link, packet: Packet) -> None:
+        """Carries out the commands of a packet in order; what they lead to follows the answers."""
+        if self._busy_until is not None:
+            if len(self._waiting) < MOST_WAITING:
+                self._waiting.append((link, packet))
+            return
+        self._tell("command", bytes(packet))
+        groups: list[Sequence[RawField]] = []
+        behind: list[Callable[[], None]] = []
+        delay = busy = 0
+        for raw, group, outcome in carry_out(self, link, packet):
+            if group and self.faults is not None:
+                late, group = self.faults.answer(self.now, raw, list(group))
+                delay = max(delay, late)
+            if group:
+                groups.append(group)
+            busy = max(busy, outcome.delay)
+            if outcome.after is not None:
+                behind.append(outcome.after)
+        for data in answers(packet.set, groups):
+            self._tell("answer", data)
+            self._transmit(link, data, max(delay, busy))
+        self._behind += behind
+        if busy > 0:
+            self._busy_until = self.now + busy
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """A command is answered: what it leads to happens, and the commands that wait are next."""
+        self._busy_until = None
+        while self._behind:
+            self._behind.pop(0)()
+        while self._waiting and self._busy_until is None:
+            self._answer(*self._waiting.pop(0))
+
+    def pause(self, time: int) -> None:
+        """No data for a while."""
+        for stream in self._streams:
+            stream.skip(self.now + time)
+        self.events.skip(self.now + time)
+
+    # ----------------------------------------------------------------------- settings
+
+    def settings_of(self, effect: str) -> list[dict[str, Any]]:
+        """The current settings of the commands with an effect, instance by instance: the arguments of the effect."""
+        return [
+            arguments(kept) for _, kept in self.settings.items() if COMMANDS.get(kept.NAME, NOTHING).effect == effect
+        ]
+
+    def apply(self, at: Place, kept: Command | None) -> None:
+        """A setting has changed by itself: its effect follows."""
+        command = kept if kept is not None else self.settings.factory(command_type(at[0]), asking(*at))
+        outcome = act(self, command, None, None)
+        if outcome.after is not None:
+            outcome.after()
+
+    def restore(self, at: Place, saved: bool) -> None:
+        """A setting has its saved value again, or its factory default."""
+        kept = self.settings.load(at) if saved else None
+        if not saved:
+            self.settings.reset(at)
+        self.apply(at, kept)
+
+    def all_settings(self, function: int) -> None:
+        """Saves, loads or resets all settings."""
+        places = self.settings.everything()
+        if function == SAVE:
+            self.settings.save(places)
+        for at in places if function in (LOAD, DEFAULT) else ():
+            self.restore(at, saved=function == LOAD)
+
+    def _settle(self) -> None:
+        """All effects of the settings that the device starts with."""
+        self.world.restart()
+        for name, behavior in COMMANDS.items():
+            if behavior.effect in views.ORIENTATIONS and self.knows(name):
+                self.apply((home(command_type(name)).NAME, ()), None)
+        for at, kept in list(self.settings.items()):
+            self.apply(at, kept)
+        ports.arrange(self)
+        self.arrange()
+        self.events.reset()
+
+    def has_effect(self, effect: str) -> bool:
+        """Does the device know a command with this effect?"""
+        return any(behavior.effect == effect and self.knows(name) for name, behavior in COMMANDS.items())
+
+    def knows(self, name: str) -> bool:
+        """Does the device have this command?"""
+        kind = command_type(name)
+        return (kind.SET, kind.DESCRIPTOR) in self.known
+
+    def disable_trigger(self, instance: int) -> None:
+        """The mode of a trigger is the default again."""
+        self.events.keep_mode(instance, None)
+        for name, behavior in COMMANDS.items():
+            if behavior.effect == "trigger_mode":
+                self.settings.reset((name, (instance,)))
+
+    # ----------------------------------------------------------------------- streams
+
+    def sends(self, set: int, descriptor: int) -> bool:
+        """Is it a field of this data set, or a shared one?"""
+        return (set, descriptor) in self.known or (0xFF, descriptor) in self.known
+
+    def arrange(self) -> None:
+        """Starts the streams that the settings ask for, and no others."""
+        quiet = self.idle or self.direct
+        self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
+
+    def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
+        """Makes the data of a field for this moment. Each channel counts from when it last sent a field."""
+        found = self._encoders.get((set, descriptor, channel))
+        if found is None:
+            kind = registry.types(set, descriptor)[0]
+            encode = values.encoder(kind, self.profile, self.world, set, channel)
+            found = partial(_fields, set, descriptor, encode)
+            self._encoders[set, descriptor, channel] = found
+        return found
+
+    def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
+        """One set of data: fields by their descriptors; those that the device does not know are left out."""
+        self.send_fields(set, [self.encoder(set, x) for x in wanted if self.sends(set, x)], link)
+
+    def send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
+        """Fields in as few packets as they fit into, to one host or to all."""
+        fields = [field for encode in encoders for field in encode()]
+        if self.faults is not None:
+            fields = self.faults.data(self.now, set, fields)
+        for data in packets(set, fields) if fields else ():
+            self._send(data, link, ports.MIP)
+
+    def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
+        """NMEA sentences."""
+        text = nmea.sentences(entries, self.world)
+        if text:
+            self._send(text, link, ports.NMEA)
+
+    # ----------------------------------------------------------------------- bytes
+
+    def _send(self, data: bytes, link: Link | None, protocol: int) -> None:
+        """Data, to one host or to all whose ports give out the protocol."""
+        self._tell("data", data)
+        for other in self.links if link is None else (link,):
+            if other.gives & protocol or link is not None:
+                self._transmit(other, data)
+
+    def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
+        """What is late meets the faults of the line when it is sent, so that the line keeps its order."""
+        if delay > 0:
+            link.hold(self.now + delay, data)
+            return
+        self.bytes_sent += len(data)
+        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data, link)
+        link.send(self.now, parts)
+
+    def _tell(self, what: str, data: bytes) -> None:
+        if self.trace is not None:
+            self.trace(what, data)
+
+
+def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:
+    return [RawField(set, descriptor, data) for data in encode()]
+
+
+__all__ = ["VirtualDevice"]

@@ -1,0 +1,165 @@
+"""The Earth of the simulation: WGS84, its gravity, a magnetic dipole, the standard atmosphere, and time.
+
+It does not turn in inertial space: a gyroscope at rest measures no rate, and there is no Coriolis acceleration.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from datetime import datetime, timedelta
+from math import atan2, cos, exp, hypot, radians, sin, sqrt
+
+from ..binding import LEAP_SECONDS
+
+Vector = tuple[float, float, float]
+Matrix = tuple[float, float, float, float, float, float, float, float, float]
+
+A = 6378137.0
+F = 1 / 298.257223563
+E2 = F * (2 - F)
+GM = 3.986004418e14
+ROTATION = 7.2921151467e-5
+LIGHT = 299792458.0
+
+SECOND = 1_000_000_000
+WEEK = 604_800 * SECOND
+LAST_WEEK = 0xFFFF  # that data show; in the year 3236
+_EPOCH = datetime(1980, 1, 6)
+_LEAPS = [datetime.fromisoformat(day) for day, _ in LEAP_SECONDS]
+#: GPS times in nanoseconds from which on UTC is 1, 2, 3 … seconds behind.
+_LEAP_TIMES = [(round((day - _EPOCH).total_seconds()) + count) * SECOND for count, day in enumerate(_LEAPS)]
+
+
+def leap_seconds(gps: int) -> int:
+    """GPS time minus UTC at a time in nanoseconds since the GPS epoch."""
+    return bisect_right(_LEAP_TIMES, gps)
+
+
+def utc(gps: int) -> datetime:
+    """UTC without a time zone; microseconds are cut off, not rounded. A leap second repeats 23:59:59."""
+    return _EPOCH + timedelta(microseconds=gps // 1000, seconds=-leap_seconds(gps))
+
+
+def from_utc(time: datetime) -> int:
+    """Nanoseconds since the GPS epoch at a UTC time without a time zone."""
+    behind = bisect_right(_LEAPS, time)
+    return (time - _EPOCH) // timedelta(microseconds=1) * 1000 + behind * SECOND
+
+
+def radii(latitude: float) -> tuple[float, float]:
+    """Radii of curvature: along the meridian, and across it."""
+    s = sin(latitude)
+    w = 1 - E2 * s * s
+    across = A / sqrt(w)
+    return across * (1 - E2) / w, across
+
+
+def ecef(latitude: float, longitude: float, height: float) -> Vector:
+    """Earth-fixed coordinates of a position in radians and metres."""
+    s, c = sin(latitude), cos(latitude)
+    n = A / sqrt(1 - E2 * s * s)
+    r = (n + height) * c
+    return r * cos(longitude), r * sin(longitude), (n * (1 - E2) + height) * s
+
+
+def llh(x: float, y: float, z: float) -> Vector:
+    """Latitude, longitude, height of Earth-fixed coordinates, to better than a micrometre near the surface."""
+    p = hypot(x, y)
+    latitude = atan2(z, p * (1 - E2))
+    for _ in range(6):
+        s = sin(latitude)
+        n = A / sqrt(1 - E2 * s * s)
+        latitude = atan2(z + E2 * n * s, p)
+    s, c = sin(latitude), cos(latitude)
+    n = A / sqrt(1 - E2 * s * s)
+    height = p * c + z * s - n * (1 - E2 * s * s)
+    return latitude, atan2(y, x), height
+
+
+def from_ned(latitude: float, longitude: float, v: Vector) -> Vector:
+    """A vector of the local level frame in Earth-fixed axes."""
+    s, c, sl, cl = sin(latitude), cos(latitude), sin(longitude), cos(longitude)
+    n, e, d = v
+    across = -s * n - c * d
+    return cl * across - sl * e, sl * across + cl * e, c * n - s * d
+
+
+def to_ned(latitude: float, longitude: float, v: Vector) -> Vector:
+    """A vector of Earth-fixed axes in the local level frame."""
+    s, c, sl, cl = sin(latitude), cos(latitude), sin(longitude), cos(longitude)
+    x, y, z = v
+    out = cl * x + sl * y
+    return c * z - s * out, cl * y - sl * x, -c * out - s * z
+
+
+def gravity(latitude: float, height: float) -> float:
+    """Magnitude of gravity by the WGS84 formula, with its change by height to second order."""
+    s2 = sin(latitude) ** 2
+    normal = 9.7803253359 * (1 + 0.00193185265241 * s2) / sqrt(1 - E2 * s2)
+    m = 0.00344978650684
+    ratio = height / A
+    return normal * (1 - 2 * (1 + F + m - 2 * F * s2) * ratio + 3 * ratio * ratio)
+
+
+def magnetic_field(latitude: float, longitude: float, height: float) -> Vector:
+    """Field of the Earth in gauss, north, east, down: the dipole of the reference field of 2020."""
+    g10, g11, h11 = -0.294048, -0.014509, 0.046525
+    s, c = sin(latitude), cos(latitude)
+    along = g11 * cos(longitude) + h11 * sin(longitude)
+    across = g11 * sin(longitude) - h11 * cos(longitude)
+    k = (6371200.0 / (6371200.0 + height)) ** 3
+    return k * (s * along - c * g10), k * across, -2 * k * (s * g10 + c * along)
+
+
+# Geopotential height in m, temperature in K, pressure in mbar at the lower end, and lapse rate in K/m of each layer.
+_LAYERS = (
+    (0.0, 288.15, 1013.25, -0.0065),
+    (11000.0, 216.65, 226.3206, 0.0),
+    (20000.0, 216.65, 54.74889, 0.001),
+    (32000.0, 228.65, 8.680187, 0.0028),
+    (47000.0, 270.65, 1.109063, 0.0),
+    (51000.0, 270.65, 0.6693887, -0.0028),
+    (71000.0, 214.65, 0.03956420, -0.002),
+)
+_AIR = 0.0341631947363104  # g0 * molar mass / gas constant, K/m
+
+
+def geopotential(height: float) -> float:
+    """Geopotential height of a height above mean sea level."""
+    return 6356766.0 * height / (6356766.0 + height)
+
+
+def atmosphere(height: float) -> tuple[float, float, float]:
+    """Temperature in degrees Celsius, pressure in mbar, density in kg/m^3 at a geopotential height.
+
+    US Standard Atmosphere of 1976; above its end the values of the end.
+    """
+    h = min(max(height, -5000.0), 84852.0)
+    base, t0, p0, lapse = next((layer for layer in reversed(_LAYERS) if h >= layer[0]), _LAYERS[0])
+    t = t0 + lapse * (h - base)
+    p = p0 * (t0 / t) ** (_AIR / lapse) if lapse else p0 * exp(-_AIR * (h - base) / t0)
+    return t - 273.15, p, 100 * p / (287.05287 * t)
+
+
+def turned(m: Matrix, v: Vector) -> Vector:
+    """The product of a matrix and a vector."""
+    x, y, z = v
+    return (m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z)
+
+
+def turned_back(m: Matrix, v: Vector) -> Vector:
+    """The product of a transposed matrix and a vector."""
+    x, y, z = v
+    return (m[0] * x + m[3] * y + m[6] * z, m[1] * x + m[4] * y + m[7] * z, m[2] * x + m[5] * y + m[8] * z)
+
+
+def product(a: Matrix, b: Matrix) -> Matrix:
+    rows = [[sum(a[3 * i + k] * b[3 * k + j] for k in range(3)) for j in range(3)] for i in range(3)]
+    (p, q, r), (s, t, u), (v, w, x) = rows
+    return p, q, r, s, t, u, v, w, x
+
+
+def heading(north: float, east: float) -> float:
+    """Angle from north of a direction, 0 to 2 pi."""
+    angle = atan2(east, north)
+    return angle if angle >= 0 else angle + radians(360)

@@ -1,0 +1,311 @@
+"""What commands do besides storing a setting, by their names in `spec/simulation`.
+
+An effect of a plain command takes place when the command arrives. An effect of a setting is done
+whenever the setting changes, before it is kept; it may refuse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Command
+from . import events, formats, knowledge, ports, views
+from .checks import NOTHING, data_sets
+from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
+from .earth import LAST_WEEK, WEEK
+from .facts import COMMANDS
+from .names import named
+from .settings import arguments, command_type
+from .streams import SECOND
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+    from .link import Link
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a command continues after its answer."""
+
+    delay: int = 0  # nanoseconds until the answer
+    after: Callable[[], None] | None = None  # done once it is sent
+
+
+@dataclass(frozen=True)
+class Call:
+    """A command on its way: `values` are the arguments of its effect."""
+
+    command: Command
+    values: dict[str, Any]
+    link: Link | None  # None: no command, but a setting that changes for another reason
+    function: int | None
+
+    @property
+    def writes(self) -> bool:
+        return self.function in SETS
+
+
+Effect = Callable[["VirtualDevice", Call], Outcome]
+DONE = Outcome()
+
+SELF_TEST_TIME = 2 * SECOND
+
+
+# --------------------------------------------------------------------------- modes
+
+
+def _idle(device: VirtualDevice, call: Call) -> Outcome:
+    device.idle = True
+    device.arrange()
+    return DONE
+
+
+def _resume(device: VirtualDevice, call: Call) -> Outcome:
+    device.idle = False
+    device.arrange()
+    return DONE
+
+
+def _restart(device: VirtualDevice, call: Call) -> Outcome:
+    return Outcome(after=device.reset)
+
+
+def _self_test(device: VirtualDevice, call: Call) -> Outcome:
+    device.pause(SELF_TEST_TIME)
+    return Outcome(delay=SELF_TEST_TIME)
+
+
+def _communication_mode(device: VirtualDevice, call: Call) -> Outcome:
+    def switch() -> None:
+        device.direct = call.values["mode"] != 1
+
+    return Outcome(after=switch)
+
+
+# --------------------------------------------------------------------------- streams
+
+
+def _format(device: VirtualDevice, call: Call) -> Outcome:
+    """Refuses fields that the device does not send with the set."""
+    set, entries = call.values["set"], call.values["fields"] or ()
+    if call.writes:
+        if set not in data_sets(device.profile):
+            raise Refused(INVALID_PARAMETER)
+        for entry in entries:
+            if not device.sends(set, entry.descriptor) or entry.decimation < 1:
+                raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.arrange)
+
+
+def _sentences(device: VirtualDevice, call: Call) -> Outcome:
+    for entry in call.values["entries"] or () if call.writes else ():
+        if entry.decimation < 1 or not knowledge.sentence(device, entry):
+            raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.arrange)
+
+
+def _switch(device: VirtualDevice, call: Call) -> Outcome:
+    return Outcome(after=device.arrange)
+
+
+def _poll(device: VirtualDevice, call: Call) -> Outcome:
+    """One packet with these fields, else with those of the format."""
+    set, wanted = call.values["set"], call.values["fields"]
+    descriptors = [getattr(entry, "descriptor", entry) for entry in wanted]
+    if set not in data_sets(device.profile):
+        raise Refused(INVALID_PARAMETER)
+    if not wanted:
+        descriptors = [descriptor for descriptor, _ in formats.of_set(device, set)]
+        if not descriptors:
+            raise Refused(COMMAND_FAILED)
+    return Outcome(after=lambda: device.send_data(set, descriptors, call.link))
+
+
+def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
+    entries = call.values["entries"] or formats.of_sentences(device)
+    if not entries:
+        raise Refused(COMMAND_FAILED)
+    return Outcome(after=lambda: device.send_sentences(entries, call.link))
+
+
+def _factory_streaming(device: VirtualDevice, call: Call) -> Outcome:
+    """A format with a few fields of each set, in place of the present formats or behind them."""
+    formats.factory(device, keep=call.values["action"] != 0)
+    return Outcome(after=device.arrange)
+
+
+# --------------------------------------------------------------------------- settings
+
+
+def _all_settings(device: VirtualDevice, call: Call) -> Outcome:
+    assert call.function is not None
+    device.all_settings(call.function)
+    return Outcome(after=device.arrange)
+
+
+def _baud_rate(device: VirtualDevice, call: Call) -> Outcome:
+    """Takes effect after the answer, which is sent at the old rate."""
+    port = ports.with_baud_rates(device, call.values.get("port"))
+    baud = call.values["baud"]
+    if call.writes and (port is None or (port.baud_rates and baud not in port.baud_rates)):
+        raise Refused(INVALID_PARAMETER)
+    return Outcome(after=lambda: ports.arrange(device))
+
+
+def _mounting(device: VirtualDevice, call: Call) -> Outcome:
+    effect = COMMANDS[call.command.NAME].effect
+    matrix = views.matrix(effect, call.values)
+    if call.writes and not views.is_rotation(matrix):
+        raise Refused(INVALID_PARAMETER)
+    device.world.sensor_to_vehicle = matrix
+    return DONE
+
+
+def _accel_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.accel_bias = tuple(call.values["bias"])
+    return DONE
+
+
+def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.gyro_bias = tuple(call.values["bias"])
+    return DONE
+
+
+def _capture(device: VirtualDevice, call: Call) -> Outcome:
+    """The whole bias of the sensor becomes the setting, whether it rests or not."""
+    setting: Any = command_type(COMMANDS[call.command.NAME].setting)
+    parameter = str(COMMANDS[setting.NAME].arguments["bias"])
+    factory: Any = device.settings.factory(setting, call.command)
+    kept = replace(factory, **{parameter: device.world.gyro_error})
+    device.settings.write(setting.decode(kept.encode()))
+    device.world.gyro_bias = device.world.gyro_error
+    return Outcome(delay=call.values["milliseconds"] * SECOND // 1000)
+
+
+def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
+    """Sets the clock of the simulated world."""
+    value = call.values["value"]
+    if call.writes and call.values["field"] == 1:
+        if value > LAST_WEEK:
+            raise Refused(INVALID_PARAMETER)
+        device.world.set_gps(week=value)
+    elif call.writes:
+        if value * SECOND >= WEEK:
+            raise Refused(INVALID_PARAMETER)
+        device.world.set_gps(tow=value)
+    return DONE
+
+
+def _protocols(device: VirtualDevice, call: Call) -> Outcome:
+    if call.writes:
+        ports.check(device, call.values, call.link)
+    return Outcome(after=lambda: ports.arrange(device))
+
+
+# --------------------------------------------------------------------------- events and pins
+
+
+def _trigger(device: VirtualDevice, call: Call) -> Outcome:
+    """A trigger is disabled after its configuration. It may watch only what the device sends."""
+    if call.writes:
+        if call.values["set"] is not None and not events.can_watch(device, call.values):
+            raise Refused(INVALID_PARAMETER)
+        if not knowledge.has_room(device, "trigger", call.values):
+            raise Refused(COMMAND_FAILED)
+        device.disable_trigger(call.values["instance"])
+    return Outcome(after=device.events.arrange)
+
+
+def _action(device: VirtualDevice, call: Call) -> Outcome:
+    """Refuses fields that the device does not send with the set."""
+    set = call.values["set"]
+    if call.writes and set is not None:
+        known = set in data_sets(device.profile)
+        if not known or not all(device.sends(set, x) for x in call.values["fields"]):
+            raise Refused(INVALID_PARAMETER)
+    if call.writes and not knowledge.has_room(device, "action", call.values):
+        raise Refused(COMMAND_FAILED)
+    return Outcome(after=device.events.arrange)
+
+
+def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
+    instance = call.values["instance"]
+    if call.writes and instance and not knowledge.trigger_type(device, instance) and call.values["mode"]:
+        raise Refused(COMMAND_FAILED)
+    if call.writes:
+        pulse = call.values["mode"].name == "TEST_PULSE"
+        device.events.keep_mode(instance, device.settings.current(call.command) if pulse else None)
+    return Outcome(after=device.events.arrange)
+
+
+def _pin(device: VirtualDevice, call: Call) -> Outcome:
+    """A pin that becomes an output has the level of its behavior; with a pull-up, an input is high."""
+    pin, behavior = call.values["pin"], call.values["behavior"].name
+    if call.values["feature"].name == "GPIO" and behavior in ("OUTPUT_LOW", "OUTPUT_HIGH"):
+        device.world.pins[pin] = behavior == "OUTPUT_HIGH"
+    else:
+        device.world.pins.pop(pin, None)
+    options = call.values["options"]
+    if options & named(type(options), ("pullup",)):
+        device.world.pulled_up.add(pin)
+    else:
+        device.world.pulled_up.discard(pin)
+    return Outcome(after=device.events.arrange)
+
+
+def _pin_state(device: VirtualDevice, call: Call) -> Outcome:
+    pin = call.values["pin"]
+    if call.writes:
+        if pin not in device.world.pins:  # not an output
+            raise Refused(COMMAND_FAILED)
+        device.world.pins[pin] = bool(call.values["state"])
+    return DONE
+
+
+def _nothing(device: VirtualDevice, call: Call) -> Outcome:
+    return DONE
+
+
+EFFECTS: dict[str, Effect] = {
+    "accel_bias": _accel_bias,
+    "action": _action,
+    "all_settings": _all_settings,
+    "baud_rate": _baud_rate,
+    "capture": _capture,
+    "communication_mode": _communication_mode,
+    "device_status": _nothing,
+    "factory_streaming": _factory_streaming,
+    "format": _format,
+    "frame_rotation": _nothing,
+    "gps_time": _gps_time,
+    "gyro_bias": _gyro_bias,
+    "idle": _idle,
+    "orientation_dcm": _mounting,
+    "orientation_euler": _mounting,
+    "orientation_quaternion": _mounting,
+    "pin": _pin,
+    "pin_state": _pin_state,
+    "poll": _poll,
+    "poll_sentences": _poll_sentences,
+    "protocols": _protocols,
+    "restart": _restart,
+    "resume": _resume,
+    "self_test": _self_test,
+    "sentences": _sentences,
+    "switch": _switch,
+    "trigger": _trigger,
+    "trigger_mode": _trigger_mode,
+}
+
+
+def act(device: VirtualDevice, command: Command, link: Link | None, function: int | None) -> Outcome:
+    """The effect of a command, if it has one that this function calls for."""
+    effect = COMMANDS.get(command.NAME, NOTHING).effect
+    if not effect or function == READ:
+        return DONE
+    return EFFECTS[effect](device, Call(command, arguments(command), link, function))
+
+
+__all__ = ["EFFECTS", "Call", "Outcome", "act"]

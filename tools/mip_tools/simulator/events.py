@@ -1,0 +1,292 @@
+"""Events: triggers, which say when, and actions, which say what. All are updated in each event cycle.
+
+Their configuration is the setting of the commands with the effects `trigger`, `trigger_mode`,
+`action` and `pin`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Command, Structure, reflection, registry
+from . import formats
+from .streams import SECOND, Stream
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+
+Given = dict[str, Any]  # the arguments of an effect
+
+#: Event cycles per second of a device whose profile does not say.
+USUAL_RATE = 1000
+
+#: Levels that a pin with timestamps must change to, by its behavior: rising, falling, either.
+EDGES = {"RISING": (True,), "FALLING": (False,), "EITHER": (True, False)}
+
+
+class Trigger:
+    """A trigger that is not free."""
+
+    __slots__ = ("active", "begins", "given", "mode", "moment", "pulsed")
+
+    def __init__(self, given: Given) -> None:
+        self.given = given
+        self.mode = "DISABLED"
+        self.active = False
+        self.begins = False  # active since this cycle, or again because of an edge
+        self.moment = 0  # when it became active, in nanoseconds
+        self.pulsed = False  # a test pulse has been active for a cycle
+
+
+class Action:
+    """An action that is not free."""
+
+    __slots__ = ("count", "given", "start")
+
+    def __init__(self, given: Given) -> None:
+        self.given = given
+        self.start: int | None = None  # when its trigger became active
+        self.count = 0  # packets sent since then
+
+
+class Events:
+    """The triggers and actions of one device."""
+
+    def __init__(self, device: VirtualDevice) -> None:
+        self._device = device
+        self._cycle: Stream | None = None
+        self.reset()
+
+    def reset(self) -> None:
+        """The device has started: nothing is active."""
+        self._triggers: dict[int, Trigger] = {}
+        self._actions: dict[int, Action] = {}
+        self._pins: dict[int, Given] = {}
+        self._edges: dict[int, int] = {}  # pin -> when its first edge in this cycle was
+        self._earlier: dict[int, Command] = {}  # trigger -> its mode before a test pulse
+        self._cycle = None
+        self.arrange()
+
+    def arrange(self) -> None:
+        """Follows the settings. What is configured as before keeps its state."""
+        device = self._device
+        self._pins = {given["pin"]: given for given in device.settings_of("pin")}
+        self._triggers = _kept(self._triggers, device.settings_of("trigger"), Trigger)
+        self._actions = _kept(self._actions, device.settings_of("action"), Action)
+        modes = {x["instance"]: x["mode"].name for x in device.settings_of("trigger_mode")}
+        for instance, trigger in self._triggers.items():
+            mode = modes.get(instance, "DISABLED")
+            if trigger.mode != mode:
+                trigger.mode, trigger.pulsed = mode, False
+        if not self._working:
+            self._cycle = None
+        elif self._cycle is None:
+            limit = device.profile.limits.get("event_tick_rate")
+            rate = USUAL_RATE if limit is None else limit.value
+            begin = max(device.now, device.ready_at)
+            self._cycle = Stream(rate, [(1, None)], self._update, device.booted, begin)
+
+    @property
+    def _working(self) -> bool:
+        enabled = any(trigger.mode != "DISABLED" for trigger in self._triggers.values())
+        return enabled or any(action.given["pin"] is not None for action in self._actions.values())
+
+    @property
+    def sends(self) -> bool:
+        """May it send data by itself?"""
+        return self._cycle is not None and any(action.given["set"] is not None for action in self._actions.values())
+
+    @property
+    def next(self) -> int | None:
+        """When the next event cycle is."""
+        return None if self._cycle is None else self._cycle.next
+
+    def run(self, time: int) -> None:
+        """The event cycle of this moment, if there is one."""
+        if self._cycle is not None and self._cycle.next <= time:
+            self._cycle.fire()
+
+    def skip(self, until: int) -> None:
+        if self._cycle is not None:
+            self._cycle.skip(until)
+
+    def active(self, instance: int) -> bool:
+        found = self._triggers.get(instance)
+        return found is not None and found.active
+
+    def keep_mode(self, instance: int, mode: Command | None) -> None:
+        """To this mode a trigger returns after a test pulse; None: it gets another one for good."""
+        if mode is None:
+            self._earlier.pop(instance, None)
+        else:
+            self._earlier.setdefault(instance, mode)
+
+    def changed(self, pin: int, level: bool) -> None:
+        """The level of a pin has changed from outside."""
+        given = self._pins.get(pin)
+        if given is None or given["feature"].name != "TIMESTAMP":
+            return
+        if level in EDGES.get(given["behavior"].name, ()):
+            self._edges.setdefault(pin, self._device.now)
+
+    # ----------------------------------------------------------------------- the cycle
+
+    def _update(self, _: Any) -> None:
+        """Triggers first, as actions depend on them; those that combine others after the others."""
+        self._end_pulses()
+        for combining in (False, True):
+            for instance, trigger in sorted(self._triggers.items()):
+                if (trigger.given["inputs"] is not None) == combining:
+                    self._update_trigger(instance, trigger)
+        self._edges.clear()
+        for instance, action in sorted(self._actions.items()):
+            trigger = self._triggers.get(action.given["trigger"], _NEVER)
+            if action.given["pin"] is not None:
+                self._switch(action.given, trigger)
+            else:
+                self._stream(instance, action, trigger)
+
+    def _end_pulses(self) -> None:
+        ended = [i for i, t in self._triggers.items() if t.mode == "TEST_PULSE" and t.pulsed]
+        for instance in ended:
+            earlier = self._earlier.pop(instance, None)
+            if earlier is None:
+                self._device.disable_trigger(instance)
+            else:
+                self._device.settings.write(earlier)
+        if ended:
+            self.arrange()
+
+    def _update_trigger(self, instance: int, trigger: Trigger) -> None:
+        moment, edge = self._device.now, False
+        if trigger.mode == "ENABLED":
+            given = trigger.given
+            if given["inputs"] is not None:
+                active = self._combined(given)
+            elif given["set"] is not None:
+                active = self._inside(instance, given)
+            elif given["pin_mode"].name == "EDGE":
+                active = edge = given["pin"] in self._edges
+                moment = self._edges.get(given["pin"], moment)
+            else:
+                active = self._has_level(given)
+        else:
+            active = trigger.mode != "DISABLED"
+            trigger.pulsed = active
+        trigger.begins = active and (edge or not trigger.active)
+        trigger.active = active
+        if trigger.begins:
+            trigger.moment = moment
+
+    def _has_level(self, given: Given) -> bool:
+        pin = self._pins.get(given["pin"])
+        if pin is None or pin["feature"].name != "GPIO":
+            return False
+        wanted = {"WHILE_HIGH": True, "WHILE_LOW": False}.get(given["pin_mode"].name)
+        return self._device.world.level(given["pin"]) == wanted
+
+    def _combined(self, given: Given) -> bool:
+        """The row of the truth table. The trigger's own state is that of the last cycle."""
+        row = sum(self.active(x) << n for n, x in enumerate(given["inputs"]))
+        return bool(given["table"] >> row & 1)
+
+    def _inside(self, instance: int, given: Given) -> bool:
+        """Does the watched value meet its condition?"""
+        value = _watched(self._device, given, f"trigger {instance}")
+        if value is None:
+            return False
+        if given["low"] is not None:
+            low, high = given["low"], given["high"]
+            return bool(low <= value <= high if low <= high else value < high or value > low)
+        threshold, interval = given["threshold"], given["interval"]
+        if max(threshold, interval) <= 0:
+            return False
+        if interval >= threshold:
+            return bool(value % interval <= threshold)
+        return bool(value % threshold > interval)
+
+    def _switch(self, given: Given, trigger: Trigger) -> None:
+        pins, pin, mode = self._device.world.pins, given["pin"], given["pin_mode"].name
+        if pin not in pins:  # not an output
+            return
+        if mode in ("ACTIVE_HIGH", "ACTIVE_LOW"):
+            pins[pin] = trigger.active == (mode == "ACTIVE_HIGH")
+        elif trigger.begins and mode in ("ONESHOT_HIGH", "ONESHOT_LOW"):
+            pins[pin] = mode == "ONESHOT_HIGH"
+        elif trigger.begins and mode == "TOGGLE":
+            pins[pin] = not pins[pin]
+
+    def _stream(self, instance: int, action: Action, trigger: Trigger) -> None:
+        """One packet when the trigger becomes active; with a decimation, more while it is."""
+        given, now = action.given, self._device.now
+        if not trigger.active:
+            action.start = None
+            return
+        moment = trigger.moment if trigger.begins else now
+        if trigger.begins or (action.start is None and given["decimation"]):
+            action.start, action.count = now, 0
+        elif action.start is None or not given["decimation"]:
+            return
+        rate = formats.ticks(self._device, given["set"])
+        if (now - action.start) * rate >= action.count * given["decimation"] * SECOND:
+            action.count += 1
+            self._send(instance, given, moment)
+
+    def _send(self, instance: int, given: Given, moment: int) -> None:
+        """A packet as of the moment when the trigger became active."""
+        device, world, channel = self._device, self._device.world, f"action {instance}"
+        if device.idle or device.direct:
+            return
+        set = given["set"]
+        wanted = [device.encoder(set, x, channel) for x in given["fields"] if device.sends(set, x)]
+        world.move_to(moment)
+        world.trigger = given["trigger"]
+        device.send_fields(set, wanted)
+        world.trigger = 0
+        world.move_to(device.now)
+
+
+def _kept(old: dict[int, Any], settings: Iterable[Given], make: Any) -> dict[int, Any]:
+    """Instance -> what it is; those whose arguments are as before are the same objects."""
+    found = {}
+    for given in settings:
+        if given["type"]:
+            before = old.get(given["instance"])
+            same = before is not None and before.given == given
+            found[given["instance"]] = before if same else make(given)
+    return found
+
+
+def can_watch(device: VirtualDevice, given: Given) -> bool:
+    """Does the device have the value that a trigger is to watch?"""
+    return _watched(device, given, "check") is not None
+
+
+def _watched(device: VirtualDevice, given: Given, channel: str) -> float | None:
+    """The value that a trigger compares; None if the device does not have it."""
+    set, descriptor = given["set"], given["field"]
+    if not device.sends(set, descriptor):
+        return None
+    fields = device.encoder(set, descriptor, channel)()
+    kind = registry.types(set, descriptor)[0]
+    numbers = list(_numbers(kind.decode(fields[0].data))) if fields else []
+    return numbers[given["element"] - 1] if given["element"] <= len(numbers) else None
+
+
+def _numbers(value: Any) -> Iterator[float]:
+    """All numbers in a value, one after another."""
+    if isinstance(value, Structure):
+        for p in reflection.info(type(value)).parameters:
+            if p.kind not in ("constant", "counter"):
+                yield from _numbers(getattr(value, p.attribute))
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _numbers(item)
+    elif isinstance(value, (int, float)):
+        yield float(value)
+
+
+_NEVER = Trigger({})
+
+__all__ = ["Events", "can_watch"]

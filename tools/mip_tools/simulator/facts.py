@@ -1,0 +1,104 @@
+"""What a specification says of simulated devices, by full names of fields: `simulation.json` of its package."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Any
+
+from ..binding import Field, Parameter, data, info
+
+
+@dataclass(frozen=True)
+class Value:
+    """What a parameter shows: a quantity times `factor`, or a constant."""
+
+    quantity: str = ""
+    factor: float = 1.0
+    names: tuple[str, ...] = ()  # of values: the first one that the enumeration has
+    bits: tuple[str, ...] = ()
+    number: float | None = None
+    text: str | None = None
+
+
+@dataclass(frozen=True)
+class FieldValues:
+    """What a field shows. `parameters`: parameter, or parameter.member of a structure -> value."""
+
+    for_each: str = ""  # a quantity that is a list: the field is sent once for each item
+    parameters: dict[str, Value] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Behavior:
+    """What a command does besides storing a setting, and how the setting is stored."""
+
+    effect: str = ""
+    arguments: dict[str, str | int] = field(default_factory=dict)  # parameter, parameter.member, or a number
+    all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
+    instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, "ports" or "data_sets"
+    translate: dict[str, dict[int, int]] = field(default_factory=dict)  # number -> number of a set
+    setting: str = ""  # the command whose setting it is, if not its own
+    key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
+    initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
+    answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
+
+
+@dataclass(frozen=True)
+class Difference:
+    """How a parameter differs on a device."""
+
+    default: Any = None
+    minimum: float | None = None
+    maximum: float | None = None
+    values: frozenset[int] | None = None  # the only ones that there are
+    constant: int | None = None
+
+
+def difference(p: Parameter, device: str) -> Difference:
+    """How it differs on a device (its id) as a whole."""
+    found: dict[str, Any] = {}
+    for v in p.variants:
+        if v.by == "device" and device in v.keys and not v.member:
+            found |= {k: x for k, x in v.changes.items() if k in ("default", "minimum", "maximum", "constant")}
+            only, kind = v.changes.get("only", ()), v.changes.get("type", p.type)
+            if only and issubclass(kind, IntEnum):
+                found["values"] = frozenset(x.value for x in info(kind).values if x.name in only)
+    return Difference(**found)
+
+
+def _tuples(value: Any) -> Any:
+    """A value of JSON with tuples in place of lists."""
+    if isinstance(value, dict):
+        return {k: _tuples(x) for k, x in value.items()}
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def _shown(row: dict[str, Any]) -> FieldValues:
+    return FieldValues(row.get("for_each", ""), {path: Value(**x) for path, x in row.get("parameters", {}).items()})
+
+
+def _behavior(row: dict[str, Any]) -> Behavior:
+    translate = {name: {int(k): x for k, x in pairs.items()} for name, pairs in row.pop("translate", {}).items()}
+    return Behavior(**row, translate=translate)
+
+
+_KNOWN = _tuples(data("simulation.json"))
+
+#: Letters of function selectors -> their numbers.
+FUNCTIONS: dict[str, int] = _KNOWN["functions"]
+#: Data fields and responses -> what their values show.
+VALUES = {name: _shown(row) for name, row in _KNOWN["values"].items()}
+#: Commands -> what they do besides storing a setting.
+COMMANDS = {name: _behavior(row) for name, row in _KNOWN["commands"].items()}
+
+
+_NOTHING = FieldValues()
+
+
+def shown(kind: type[Field], set: int) -> FieldValues:
+    """What a field shows in packets of a set: as that set says, else as all sets that have it do."""
+    return VALUES.get(kind.name_in(set)) or VALUES.get(kind.NAME) or _NOTHING
+
+
+__all__ = ["COMMANDS", "FUNCTIONS", "VALUES", "Behavior", "Difference", "FieldValues", "Value", "difference", "shown"]

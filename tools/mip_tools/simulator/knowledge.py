@@ -1,0 +1,170 @@
+"""The properties of a device: identity, descriptors, rates, events, pins. The world around it is in `world`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from . import formats, nmea, ports
+from .checks import data_sets
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+
+#: Descriptors in one response, beside its acknowledge.
+MOST_DESCRIPTORS = 124
+
+Context = dict[str, Any]  # the values of the command, and the arguments of its effect
+Quantity = Callable[["VirtualDevice", Context], Any]
+
+
+# --------------------------------------------------------------------------- identity
+
+
+def _padded(text: str) -> str:
+    """The padding of identity strings, as on devices: in front."""
+    return text[:16].rjust(16)
+
+
+def _number(device: VirtualDevice, last: str) -> str:
+    return _padded(f"{device.profile.model_number or 0:04d}{last}")
+
+
+def descriptors(device: VirtualDevice) -> list[int]:
+    """Set and descriptor of all commands and data, in order; shared data as such."""
+    return sorted(set << 8 | descriptor for set, descriptor in device.known)
+
+
+# --------------------------------------------------------------------------- events
+
+
+def _configured(device: VirtualDevice, effect: str) -> dict[int, Context]:
+    """Instance -> configuration of a trigger or an action that is not free."""
+    return {given["instance"]: given for given in device.settings_of(effect) if given["type"]}
+
+
+def trigger_type(device: VirtualDevice, instance: int) -> int:
+    return int(_configured(device, "trigger").get(instance, FREE)["type"])
+
+
+def _slots(device: VirtualDevice, limit: str) -> int:
+    found = device.profile.limits.get(limit)
+    return 0 if found is None else int(found.value)
+
+
+def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
+    """Type and number of instances, of triggers or of actions."""
+    names = TRIGGER_LIMITS if context["query"] == 1 else ACTION_LIMITS
+    found = [(number, _slots(device, limit)) for number, limit in names.items()]
+    return [(number, count) for number, count in found if count]
+
+
+#: A slot without configuration.
+FREE: Context = {"type": 0, "trigger": 0}
+
+TRIGGERS, ACTIONS = "event_triggers", "event_actions"
+TRIGGER_LIMITS = {1: "event_gpio_triggers", 2: "event_threshold_triggers", 3: "event_combination_triggers"}
+ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
+
+
+def has_room(device: VirtualDevice, effect: str, given: Context) -> bool:
+    """May one more trigger or action be of this type, in a slot that may have had another one?"""
+    names = TRIGGER_LIMITS if effect == "trigger" else ACTION_LIMITS
+    most = device.profile.limits.get(names.get(given["type"], ""))
+    others = _configured(device, effect)
+    others.pop(given["instance"], None)
+    return most is None or sum(x["type"] == given["type"] for x in others.values()) < most.value
+
+
+def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]:
+    return context["instances"] or range(1, _slots(device, limit) + 1)
+
+
+def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
+    """Type and state. A trigger in a test mode is active."""
+    modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
+    found = []
+    for instance in _asked(device, context, TRIGGERS):
+        mode = modes.get(instance, 0)
+        state = {0: 0, 1: 0b010 | device.events.active(instance)}.get(mode, 0b111)
+        found.append((trigger_type(device, instance), state))
+    return found
+
+
+def _action_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
+    """Type and trigger."""
+    actions = _configured(device, "action")
+    asked = (actions.get(instance, FREE) for instance in _asked(device, context, ACTIONS))
+    return [(int(action["type"]), int(action["trigger"])) for action in asked]
+
+
+# --------------------------------------------------------------------------- others
+
+#: Ranges of sensors: type of the sensor -> setting and largest value; g, degrees per second, gauss, mbar.
+RANGES: dict[int, Sequence[tuple[int, float]]] = {
+    1: ((1, 2.0), (2, 4.0), (3, 8.0), (4, 10.0)),
+    2: ((1, 75.0), (2, 150.0), (3, 300.0), (4, 1000.0)),
+    3: ((1, 8.0),),
+    4: ((1, 1100.0),),
+}
+
+
+def _receivers(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int, str]]:
+    """Number, set of the data, and what it is."""
+    sets = sorted(data_sets(device.profile) & {context["only"], context["first"], context["second"]})
+    return [(i, set, f"Simulated receiver {i}".ljust(32)) for i, set in enumerate(sets, 1)]
+
+
+def sentence(device: VirtualDevice, entry: Any) -> bool:
+    """Can the device send this NMEA sentence?"""
+    return entry.source_descriptor_set in data_sets(device.profile) and nmea.known(entry)
+
+
+def _port_protocols(way: int) -> Quantity:
+    def found(device: VirtualDevice, context: Context) -> int:
+        port = ports.by_number(device, context["port"])
+        return 0 if port is None else ports.protocols(device, port)[way]
+
+    return found
+
+
+def _stream(name: str) -> Quantity:
+    """Is the data set in an argument streamed?"""
+
+    def found(device: VirtualDevice, context: Context) -> bool:
+        return formats.enabled(device, context[name]) and bool(formats.of_set(device, context[name]))
+
+    return found
+
+
+QUANTITIES: dict[str, Quantity] = {
+    "device.firmware_version": lambda device, context: 1000 * (device.profile.generation or 1),
+    "device.model_name": lambda device, context: _padded(device.profile.title),
+    "device.model_number": lambda device, context: _number(device, "-4220"),
+    "device.serial_number": lambda device, context: _number(device, f".{device.seed % 100000:05d}"),
+    "device.lot_number": lambda device, context: _padded(""),
+    "device.options": lambda device, context: _padded("4g, 300d/s"),
+    "device.number": lambda device, context: device.profile.model_number or 0,
+    "device.descriptors": lambda device, context: descriptors(device)[:MOST_DESCRIPTORS],
+    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
+    "device.uptime": lambda device, context: (device.now - device.booted) / 1e9,
+    "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
+    "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
+    "device.packets_dropped": lambda device, context: device.dropped & 0xFFFFFFFF,
+    "stream.base_rate": lambda device, context: formats.rate(device, context["set"]),
+    "stream.enabled": lambda device, context: formats.enabled(device, context["set"]),
+    "stream.sensor": _stream("sensor"),
+    "stream.gnss": _stream("gnss"),
+    "stream.filter": _stream("filter"),
+    "event.slots": lambda device, context: _slots(device, TRIGGERS if context["query"] == 1 else ACTIONS),
+    "event.types": _event_types,
+    "event.triggers": _trigger_status,
+    "event.actions": _action_status,
+    "port.incoming": _port_protocols(0),
+    "port.outgoing": _port_protocols(1),
+    "pin.level": lambda device, context: device.world.level(context["pin"]),
+    "sensor.ranges": lambda device, context: RANGES.get(context["sensor"], ()),
+    "receiver.list": _receivers,
+}
+
+__all__ = ["QUANTITIES", "descriptors", "has_room", "sentence", "trigger_type"]

@@ -1,0 +1,92 @@
+"""The connection of a host to a port of the device: bytes in both directions, some of them
+delayed."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable
+
+from ..binding import Parser
+
+
+class Link:
+    """One host at one port. `write` and `read` are the host's; `VirtualDevice.connect` makes it.
+
+    It is no port for `Device`, as no time passes at it: `LivePort` is.
+    """
+
+    def __init__(self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None) -> None:
+        self.port = port
+        self.baud: int | None = None  # None: the port has no baud rate
+        self.takes = self.gives = ~0  # protocols of the port, as bits
+        self.closed = False
+        self.dropped = 0  # packets for which the host has left no room
+        self.parser = Parser()
+        self.heard = 0  # when the host has last sent something
+        self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
+        self._held: list[tuple[int, int, bytes]] = []  # the same, that the device has yet to send
+        self._receive = receive
+        self._capacity = capacity
+        self._ready = bytearray()
+        self._order = 0
+
+    def write(self, data: bytes) -> None:
+        """The host sends bytes; the device acts at once."""
+        if self.closed:
+            raise ConnectionError(f"the device has closed the link to its port '{self.port}'; connect again")
+        self._receive(self, bytes(data))
+
+    def read(self) -> bytes:
+        """What the device has sent by now."""
+        data = bytes(self._ready)
+        self._ready.clear()
+        return data
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that the host has not read."""
+        return len(self._ready)
+
+    @property
+    def next(self) -> int | None:
+        """When delayed bytes arrive, or the device has to send something."""
+        return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
+
+    def hold(self, time: int, data: bytes) -> None:
+        """The device has something to send at that time."""
+        self._order += 1
+        heapq.heappush(self._held, (time, self._order, data))
+
+    def due(self, now: int) -> list[bytes]:
+        """What the device has to send by now."""
+        found = []
+        while self._held and self._held[0][0] <= now:
+            found.append(heapq.heappop(self._held)[2])
+        return found
+
+    def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
+        """The device sends bytes, each after a delay in nanoseconds. Without room, it drops them whole."""
+        size = sum(len(data) for _, data in parts)
+        if self.closed or (self._capacity is not None and self.waiting + size > self._capacity):
+            self.dropped += 1
+            return
+        for delay, data in parts:
+            if delay <= 0:
+                self._ready += data
+            else:
+                self._order += 1
+                heapq.heappush(self._late, (now + delay, self._order, data))
+
+    def arrive(self, now: int) -> None:
+        """Bytes that were late by then arrive."""
+        while self._late and self._late[0][0] <= now:
+            self._ready += heapq.heappop(self._late)[2]
+
+    def clear(self) -> None:
+        """The device discards what it was about to send, as in a reset; bytes already on the way
+        arrive."""
+        self._held.clear()
+        self.parser = Parser()
+
+
+__all__ = ["Link"]

@@ -1,0 +1,76 @@
+"""A port of a virtual device at which time passes by itself."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+from ..binding import READ_TIMEOUT
+from .device import VirtualDevice
+from .streams import SECOND
+
+#: Seconds of the clock that are made up for at once; more are lost, as while a debugger is at work.
+LATE = 1.0
+
+
+class LivePort:
+    """A port that `Device` and `aio.Device` of this package accept, without a file or a network.
+
+        with Device(LivePort(VirtualDevice("3dm-cv7-gnss-ins"))) as device:
+            device.request(Ping())
+
+    The virtual device lives while the port is open: leave it alone meanwhile, as other threads use
+    it. It may have one such port.
+    """
+
+    def __init__(self, device: VirtualDevice, port: str | None = None, *, speed: float = 1.0) -> None:
+        """`port`: its name, as for `VirtualDevice.connect`. `speed`: simulated seconds in a second."""
+        if not 0 < speed < float("inf"):
+            raise ValueError(f"speed {speed}: needs simulated seconds in a second, more than 0")
+        self._device = device
+        self._speed = speed
+        self._link = device.connect(port)
+        self._wake = threading.Condition()  # the device and its link are used by one thread at a time
+        self._now = time.monotonic()
+        self._rest = b""
+
+    def read(self, size: int) -> bytes:
+        """What the device has sent; none after a moment. Raises ConnectionError when it is closed."""
+        with self._wake:
+            self._pass()
+            if not self._rest:
+                self._wake.wait(self._pause())
+                self._pass()
+            if self._link.closed and not self._rest:
+                raise ConnectionError(f"port '{self._link.port}' of the device is closed")
+            data, self._rest = self._rest[:size], self._rest[size:]
+        return data
+
+    def write(self, data: bytes) -> int:
+        with self._wake:
+            self._pass()
+            self._link.write(data)
+            self._wake.notify()
+        return len(data)
+
+    def close(self) -> None:
+        with self._wake:
+            self._device.disconnect(self._link)
+            self._wake.notify()
+
+    def _pass(self) -> None:
+        """Brings the device to the present, and takes what it has sent."""
+        now = time.monotonic()
+        self._device.advance(min(now - self._now, LATE) * self._speed)
+        self._now = now
+        self._rest += self._link.read()
+
+    def _pause(self) -> float:
+        """How long nothing happens, as far as is known."""
+        then = self._device.next
+        if then is None:
+            return READ_TIMEOUT
+        return min(max(then - self._device.now, 0) / SECOND / self._speed, READ_TIMEOUT)
+
+
+__all__ = ["LivePort"]

@@ -1,0 +1,126 @@
+"""Motions of the simulated device, and how a text names them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, fmod, inf, isfinite, pi, radians, sin
+from typing import Any
+
+from .replay import Replay
+from .state import PLACES, Motion, MotionError, Plane, State, is_place, rotation
+from .track import Track
+from .waypoints import Waypoint
+
+#: Where motions are that are given no place: degrees and metres.
+LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
+
+
+class Standing:
+    """At rest; angles in degrees."""
+
+    def __init__(
+        self, latitude: float = LATITUDE, longitude: float = LONGITUDE, height: float = HEIGHT, *,
+        heading: float = 0.0, pitch: float = 0.0, roll: float = 0.0,
+    ) -> None:  # fmt: skip
+        _place("standing", latitude, longitude, height)
+        q, m = rotation(radians(roll), radians(pitch), radians(heading))
+        zero = (0.0, 0.0, 0.0)
+        self._state = State(radians(latitude), radians(longitude), height, zero, zero, q, m, zero)
+
+    def at(self, t: float) -> State:
+        return self._state
+
+
+class Circle:
+    """Clockwise at a constant speed (m/s), from the northernmost point of a circle of `radius` metres."""
+
+    def __init__(
+        self, radius: float = 20.0, speed: float = 5.0, latitude: float = LATITUDE, longitude: float = LONGITUDE,
+        height: float = HEIGHT,
+    ) -> None:  # fmt: skip
+        for name, value in (("radius", radius), ("speed", speed)):
+            if not 0 < value <= 1e6:
+                raise MotionError(f"circle: {name}={value:g} must be above 0, and at most 1e6")
+        _place("circle", latitude, longitude, height)
+        self._radius, self._speed = radius, speed
+        self._period = 2 * pi * radius / speed
+        self._plane = Plane(radians(latitude), radians(longitude), height)
+
+    def at(self, t: float) -> State:
+        angle = fmod(t, self._period) * self._speed / self._radius
+        s, c, r = sin(angle), cos(angle), self._radius
+        return self._plane.state(r * c, r * s, 0.0, (-s, c), self._speed, 0.0, 1 / r)
+
+
+def _place(motion: str, latitude: float, longitude: float, height: float) -> None:
+    if not is_place(latitude, longitude, height):
+        raise MotionError(
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"
+        )
+
+
+def _yes(text: str) -> bool:
+    known = {"yes": True, "no": False}
+    if text not in known:
+        raise ValueError(f"'{text}' is neither yes nor no")
+    return known[text]
+
+
+def _number(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = inf
+    if not isfinite(value):
+        raise ValueError(f"'{text}' is not a number")
+    return value
+
+
+_PLACE: dict[str, Callable[[str], Any]] = {"latitude": _number, "longitude": _number, "height": _number}
+
+#: Names of motions -> class, and its options with what reads them.
+MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]] = {
+    "standing": (Standing, _PLACE | {"heading": _number, "pitch": _number, "roll": _number}),
+    "circle": (Circle, {"radius": _number, "speed": _number} | _PLACE),
+    "track": (
+        Track, {"file": str, "speed": _number, "acceleration": _number, "corner": _number, "loop": _yes}
+    ),
+    "replay": (Replay, {"file": str, "loop": _yes, "rate": _number}),
+}  # fmt: skip
+_REQUIRED = {"track": "file", "replay": "file"}
+
+
+def parse_motion(text: str) -> Motion:
+    """A motion by name, optionally with options. Raises MotionError.
+
+    >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
+    5.0
+    """
+    name, _, rest = text.partition(":")
+    if name not in MOTIONS:
+        raise MotionError(f"'{name}' is not a motion; use one of {', '.join(MOTIONS)}")
+    motion, options = MOTIONS[name]
+    given: dict[str, Any] = {}
+    for part in rest.split(",") if rest else ():
+        key, equals, value = part.partition("=")
+        if key not in options:
+            raise MotionError(f"{name}: unknown option '{key}'; it has {', '.join(options)}")
+        if not equals:
+            raise MotionError(f"{name}: option '{key}' has no value; write {key}=...")
+        if key in given:
+            raise MotionError(f"{name}: option '{key}' is given twice")
+        try:
+            given[key] = options[key](value)
+        except ValueError as error:
+            raise MotionError(f"{name}: {key}: {error}") from None
+    required = _REQUIRED.get(name)
+    if required is None:
+        return motion(**given)
+    if not given.get(required):
+        raise MotionError(f"{name}: needs a {required}; write {name}:{required}=PATH")
+    return motion(given.pop(required), **given)
+
+
+__all__ = [
+    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion",
+]  # fmt: skip

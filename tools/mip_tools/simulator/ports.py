@@ -1,0 +1,103 @@
+"""The ports of a device: their baud rates, and the protocols that they receive and send."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..binding import Port
+from .codes import COMMAND_FAILED, INVALID_PARAMETER, Refused
+from .facts import COMMANDS
+from .settings import arguments, asking
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+    from .link import Link
+
+#: Protocols, as bits of the protocols of a port.
+PROTOCOLS = {"MIP": 1, "NMEA": 1 << 8, "RTCM": 1 << 9, "SPARTN": 1 << 24}
+MIP, NMEA = PROTOCOLS["MIP"], PROTOCOLS["NMEA"]
+
+#: Limits on the number of ports, beside the main one, that take a protocol in.
+PARSERS = {
+    "MIP": "mip_input_ports",
+    "NMEA": "nmea_input_ports",
+    "RTCM": "rtcm_input_ports",
+    "SPARTN": "spartn_input_ports",
+}
+
+
+def main(device: VirtualDevice, name: str) -> bool:
+    """Is it a main port: the first of its kind, such as UART 1?"""
+    kinds = [port.name.split()[0] for port in device.profile.ports if port.name != name]
+    before = [port.name for port in device.profile.ports]
+    first = before.index(name) if name in before else 0
+    return name.split()[0] not in kinds[:first]
+
+
+def protocols(device: VirtualDevice, port: Port) -> tuple[int, int]:
+    """What a port receives and sends; if no command sets it, every protocol of the port."""
+    own = sum(PROTOCOLS.get(name, 0) for name in port.protocols) or MIP
+    for given in device.settings_of("protocols"):
+        if given["port"] == port.id:
+            return given["incoming"], given["outgoing"]
+    if main(device, port.name) or not device.has_effect("protocols"):
+        return own, own
+    return 0, 0
+
+
+def by_number(device: VirtualDevice, number: int) -> Port | None:
+    return next((port for port in device.profile.ports if port.id == number), None)
+
+
+def check(device: VirtualDevice, values: dict[str, Any], link: Link | None) -> None:
+    """Raises Refused if a port cannot have these protocols."""
+    port = by_number(device, values["port"])
+    if link is not None and not main(device, link.port):
+        raise Refused(COMMAND_FAILED)
+    if port is None:
+        raise Refused(INVALID_PARAMETER)
+    own = sum(PROTOCOLS.get(name, 0) for name in port.protocols)
+    if (values["incoming"] | values["outgoing"]) & ~own:
+        raise Refused(INVALID_PARAMETER)
+    if main(device, port.name) and not values["incoming"] & values["outgoing"] & MIP:
+        raise Refused(COMMAND_FAILED)
+    for name, limit in PARSERS.items():
+        others = [p for p in device.profile.ports if p is not port and not main(device, p.name)]
+        taken = sum(bool(protocols(device, p)[0] & PROTOCOLS[name]) for p in others)
+        most = device.profile.limits.get(limit)
+        wants = values["incoming"] & PROTOCOLS[name] and not main(device, port.name)
+        if wants and most is not None and taken >= most.value:
+            raise Refused(COMMAND_FAILED)
+
+
+def with_baud_rates(device: VirtualDevice, number: int | None) -> Port | None:
+    """A port by its number; without one, the first that has baud rates."""
+    if number is not None:
+        return by_number(device, number)
+    return next((port for port in device.profile.ports if port.baud_rates), None)
+
+
+def baud_rates(device: VirtualDevice) -> dict[str, int]:
+    """The baud rates of the ports that have one, by their names."""
+    found: dict[str, int] = {}
+    for name, behavior in COMMANDS.items():
+        if behavior.effect != "baud_rate" or not device.knows(name):
+            continue
+        one = with_baud_rates(device, None)
+        for port in device.profile.ports if "port" in behavior.arguments else (one,):
+            if port is not None and port.baud_rates:
+                asked = asking(name, () if port.id is None else (port.id,))
+                found[port.name] = arguments(device.settings.current(asked))["baud"]
+    return found
+
+
+def arrange(device: VirtualDevice) -> None:
+    """The links follow the settings of their ports."""
+    given = {port.name: protocols(device, port) for port in device.profile.ports}
+    bauds = baud_rates(device)
+    for link in device.links:
+        link.takes, link.gives = given.get(link.port, (MIP, MIP | NMEA))
+        link.baud = bauds.get(link.port)
+
+
+__all__ = ["MIP", "NMEA", "arrange", "by_number", "check", "main", "protocols", "with_baud_rates"]

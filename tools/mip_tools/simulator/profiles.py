@@ -1,0 +1,36 @@
+"""Devices and their ports, by the names that people write."""
+
+from __future__ import annotations
+
+import difflib
+
+from ..binding import DEVICES, Device, Port
+from ..errors import Misuse
+
+
+def device_named(name: str) -> Device:
+    """A device by its id, its title or another name; case does not matter. Raises Failure."""
+    names = {alias.lower(): d for d in DEVICES.values() for alias in (d.id, d.title, *d.also)}
+    wanted = name.lower()
+    if wanted not in names:
+        near = [n for n in sorted(names) if wanted in n]  # a part of the name, else a similar one
+        near = near or difflib.get_close_matches(wanted, names, 1, 0.5)
+        hint = f"do you mean {names[near[0]].id}? " if near else ""
+        raise Misuse(f"device '{name}' is unknown; {hint}`mip simulate --list` lists them all")
+    return names[wanted]
+
+
+def port_named(profile: Device, name: str) -> Port:
+    """A port of a device; case, spaces and underscores do not matter. Raises Failure."""
+    for port in profile.ports:
+        if _plain(port.name) == _plain(name):
+            return port
+    known = ", ".join(p.name for p in profile.ports) or "none are known"
+    raise Misuse(f"{profile.title} has no port '{name}'; its ports: {known}")
+
+
+def _plain(name: str) -> str:
+    return name.lower().replace("_", "").replace(" ", "")
+
+
+__all__ = ["device_named", "port_named"]

@@ -1,0 +1,93 @@
+"""Streams: what a device sends at its base rate divided by decimations, and how fields become
+packets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from ..binding import MAX_PAYLOAD, PacketBuilder, RawField
+from .earth import SECOND
+
+#: Descriptors of shared fields, which are repeated in continuation packets.
+SHARED = 0xD0
+
+
+class Stream:
+    """Items at a rate, each with its decimation; ticks count from power-up, in whole nanoseconds without drift."""
+
+    def __init__(
+        self, rate: float, items: Sequence[tuple[int, Any]], fire: Callable[[list[Any]], None], origin: int, now: int
+    ) -> None:
+        self._numerator, self._denominator = float(rate).as_integer_ratio()
+        self._items = items
+        self._decimations = sorted({decimation for decimation, _ in items})
+        self._fire = fire
+        self._origin = origin
+        self._tick = (now - origin) * self._numerator // (SECOND * self._denominator)
+        self._every = [item for _, item in items] if len(self._decimations) == 1 else None
+        self._advance()
+
+    def _advance(self) -> None:
+        tick = self._tick
+        self._tick = min(d * (tick // d + 1) for d in self._decimations)
+        # Rounded up: a stream that starts at the time of a tick goes on with the next one.
+        self.next = self._origin - -self._tick * SECOND * self._denominator // self._numerator
+
+    def skip(self, until: int) -> None:
+        """Sends nothing until then."""
+        while self.next < until:
+            self._tick = max(self._tick, (until - self._origin) * self._numerator // (SECOND * self._denominator) - 1)
+            self._advance()
+
+    def fire(self) -> None:
+        """Sends what is due now."""
+        due = self._every
+        if due is None:
+            due = [item for decimation, item in self._items if self._tick % decimation == 0]
+        self._fire(due)
+        self._advance()
+
+
+def packets(set: int, fields: Iterable[RawField]) -> list[bytes]:
+    """Fields in as few packets as their order allows; shared fields at the front are repeated in each."""
+    found: list[bytes] = []
+    front: list[RawField] = []
+    builder, size, leading = PacketBuilder(set), 0, True
+    for field in fields:
+        more = len(field.data) + 2
+        if size + more > MAX_PAYLOAD:
+            found.append(bytes(builder.build()))
+            builder, size = PacketBuilder(set), 0
+            room = MAX_PAYLOAD - more
+            for shared in front if sum(len(s.data) + 2 for s in front) <= room else ():
+                builder.add(shared.descriptor, shared.data)
+                size += len(shared.data) + 2
+        if leading and field.descriptor >= SHARED:
+            front.append(field)
+        else:
+            leading = False
+        builder.add(field.descriptor, field.data)
+        size += more
+    found.append(bytes(builder.build()))
+    return found
+
+
+def answers(set: int, groups: Iterable[Sequence[RawField]]) -> list[bytes]:
+    """Acknowledges with their responses, which are never separated, in as few packets as possible."""
+    found: list[bytes] = []
+    builder, size = PacketBuilder(set), 0
+    for group in groups:
+        more = sum(len(f.data) + 2 for f in group)
+        if size and size + more > MAX_PAYLOAD:
+            found.append(bytes(builder.build()))
+            builder, size = PacketBuilder(set), 0
+        for field in group:
+            builder.add(field.descriptor, field.data)
+        size += more
+    if size:
+        found.append(bytes(builder.build()))
+    return found
+
+
+__all__ = ["SECOND", "Stream", "answers", "packets"]

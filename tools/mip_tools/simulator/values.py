@@ -1,0 +1,267 @@
+"""Encoders of data fields, which show values of the world as the specification says."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator
+from enum import IntEnum, IntFlag
+from random import Random
+from typing import Any
+
+from ..binding import Device, Field, Parameter, reflection
+from .facts import FieldValues, Value, shown
+from .names import named
+from .quantities import INTERVALS, NOISE, QUANTITIES, Function
+from .replay import Replay
+from .settings import filled
+from .world import Output, World
+
+#: Takes an item and gives the numbers of one parameter.
+Reader = Callable[[Any], "tuple[Any, ...]"]
+Encoder = Callable[[], "list[bytes]"]
+
+_LETTERS = {
+    "u8": "B", "s8": "b", "u16": "H", "s16": "h", "u32": "I", "s32": "i", "u64": "Q", "s64": "q",
+    "float": "f", "double": "d", "bool": "B", "char": "B",
+}  # fmt: skip
+
+#: The largest float of four bytes.
+LARGEST = (2 - 2**-23) * 2.0**127
+
+#: What clocks show: a log is not replayed for fields that show nothing else.
+_CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
+
+
+def encoder(kind: type[Field], profile: Device, world: World, set: int, channel: str = "") -> Encoder:
+    """Gives the data of the fields to send now, without lengths and descriptors.
+
+    `set` is that of the packets. What counts from the last time that it
+    was sent does so for each channel on its own.
+    """
+    if not all(_packs(p) for p, _ in _flat(kind)):
+        unchanging = _defaults(kind)
+        return lambda: [unchanging]
+    source = shown(kind, set)
+    simulated = _encoder(kind, profile, world, set, source, channel)
+    motion = world.motion
+    if not isinstance(motion, Replay) or not _recorded(source):
+        return simulated
+    descriptor = kind.DESCRIPTOR
+    return lambda: motion.recorded(set, descriptor, world.time) or simulated()
+
+
+def _packs(p: Parameter) -> bool:
+    """Is it made of a known number of numbers?"""
+    known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
+    return known and p.scalar in _LETTERS
+
+
+def _defaults(kind: type[Field]) -> bytes:
+    """The data of a field that has texts, or arrays that are counted or hold structures."""
+    given: dict[str, Any] = {}
+    for p in reflection.info(kind).parameters:
+        if p.kind not in ("constant", "counter"):
+            given[p.attribute] = filled(p, given, p.default)
+    return kind(**given).encode()
+
+
+def _recorded(source: FieldValues) -> bool:
+    names = [v.quantity for v in source.parameters.values() if v.quantity]
+    return not names or any(not name.startswith(_CLOCKS) for name in names)
+
+
+def _encoder(kind: type[Field], profile: Device, world: World, set: int, source: FieldValues, channel: str) -> Encoder:
+    readers, layout = _readers(kind, profile, world, set, source)
+    pack = _packer(layout)
+    if source.for_each:
+        items = QUANTITIES[source.for_each]
+        return lambda: [pack(*_joined(readers, item)) for item in items(world, None)]
+    rate = profile.base_rates.get(set) or 0.0
+    counting = [v.quantity for v in source.parameters.values() if v.quantity in INTERVALS]
+    if not counting:
+        plain = Output(rate)
+        if len(readers) == 1:
+            (only,) = readers
+            return lambda: [pack(*only(plain))]
+        return lambda: [pack(*_joined(readers, plain))]
+    output = world.output(set, counting[0], rate, channel)
+
+    def encode() -> list[bytes]:
+        output.begin(world)
+        found = [pack(*_joined(readers, output))]
+        output.end(world)
+        return found
+
+    return encode
+
+
+def _packer(layout: str) -> Callable[..., bytes]:
+    pack = struct.Struct(">" + layout).pack
+
+    def packed(*numbers: Any) -> bytes:
+        try:
+            return pack(*numbers)
+        except OverflowError:  # a setting can lead beyond what a float of four bytes holds
+            return pack(*(min(max(x, -LARGEST), LARGEST) for x in numbers))
+
+    return packed
+
+
+def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
+    found: tuple[Any, ...] = ()
+    for read in readers:
+        found += read(item)
+    return found
+
+
+def _readers(
+    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
+) -> tuple[list[Reader], str]:
+    """What reads the parameters, neighbouring constants as one, and their layout."""
+    noise = Random(f"{world.seed}:{kind.name_in(set)}")
+    readers: list[Reader] = []
+    constants: tuple[Any, ...] = ()
+    layout = ""
+    for p, path in _flat(kind):
+        count = (p.length if isinstance(p.length, int) else 1) * (len(p.elements) or 1)
+        letter = _LETTERS[p.scalar]
+        layout += letter * count
+        type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type
+        read = _reader(p, source.parameters.get(path), letter, count, type_, world, noise)
+        if count == 1 and isinstance(type_, type) and issubclass(type_, IntFlag):
+            read = _with(read, _valid(kind, source, path, type_))
+        if isinstance(read, tuple):
+            constants += read
+            continue
+        if constants:
+            readers.append(_always(constants))
+            constants = ()
+        readers.append(read)
+    if constants:
+        readers.append(_always(constants))
+    return readers, layout
+
+
+def _flat(kind: type, prefix: str = "") -> Iterator[tuple[Parameter, str]]:
+    """Parameters, those of structures in their place, with their paths."""
+    for p in reflection.info(kind).parameters:
+        if p.kind == "struct" and p.length is None:
+            yield from _flat(p.type, f"{prefix}{p.name}.")
+        else:
+            yield p, prefix + p.name
+
+
+def _always(values: tuple[Any, ...]) -> Reader:
+    return lambda item: values
+
+
+def _valid(kind: type[Field], source: FieldValues, flags: str, type_: type[IntFlag]) -> int:
+    """The flags of all parameters that show something."""
+    found = 0
+    for p in reflection.info(kind).parameters:
+        for said in p.valid if p.name in source.parameters else ():
+            name, _, bit = said.partition(".")
+            if name == flags and bit:
+                found |= named(type_, (bit,))
+    return found
+
+
+def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...]:
+    if isinstance(read, tuple):
+        return (read[0] | flags,)
+    return lambda item: (read(item)[0] | flags,)
+
+
+def _reader(
+    p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World, noise: Random
+) -> Reader | tuple[Any, ...]:
+    """What reads a parameter; its numbers themselves if they never change."""
+    if p.constant is not None:
+        return (p.constant,) * count
+    if value is None:
+        return _numbers(p.default if p.default is not None else 0, letter, count)
+    if not value.quantity:
+        return _numbers(_constant(value, type_), letter, count)
+    function, factor = QUANTITIES[value.quantity], value.factor
+    if isinstance(type_, type) and issubclass(type_, (IntEnum, IntFlag)):
+        return _names(function, type_, world)
+    deviation = NOISE.get(value.quantity, 0.0) * world.noise * factor
+    if letter not in "fd":
+        return _whole(function, factor, letter, count, world)
+    if count == 1:
+        return _single(function, factor, deviation, world, noise)
+    if count == 3:
+        return _vector(function, factor, deviation, world, noise)
+    return lambda item: tuple([x * factor for x in function(world, item)])
+
+
+def _constant(value: Value, type_: Any) -> Any:
+    """The number or the text of a value that shows no quantity."""
+    if value.text is not None:
+        return tuple(value.text.encode("latin-1"))
+    if value.number is not None:
+        return value.number
+    return named(type_, value.names or value.bits)
+
+
+def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
+    """As many numbers as there are elements; a single one applies to all."""
+    values = tuple(given) if isinstance(given, (tuple, list)) else (given,) * count
+    kind = float if letter in "fd" else int
+    return tuple(kind(x) for x in (values + (0,) * count)[:count])
+
+
+def _single(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
+    gauss = noise.gauss
+    if deviation:
+        return lambda item: (function(world, item) * factor + gauss(0.0, deviation),)
+    if factor == 1:
+        return lambda item: (function(world, item),)
+    return lambda item: (function(world, item) * factor,)
+
+
+def _vector(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
+    gauss = noise.gauss
+
+    def noisy(item: Any) -> tuple[Any, ...]:
+        x, y, z = function(world, item)
+        return (
+            x * factor + gauss(0.0, deviation),
+            y * factor + gauss(0.0, deviation),
+            z * factor + gauss(0.0, deviation),
+        )
+
+    def exact(item: Any) -> tuple[Any, ...]:
+        x, y, z = function(world, item)
+        return x * factor, y * factor, z * factor
+
+    return noisy if deviation else exact
+
+
+def _whole(function: Function, factor: float, letter: str, count: int, world: World) -> Reader:
+    """Whole numbers, rounded; beyond what the type holds, its limit."""
+    bits = 8 * struct.calcsize(letter)
+    low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
+
+    def fitting(x: Any) -> int:
+        whole: int = round(x * factor) if factor != 1 else round(x)
+        return min(max(whole, low), high)
+
+    if count == 1:
+        return lambda item: (fitting(function(world, item)),)
+    return lambda item: tuple([fitting(x) for x in function(world, item)])
+
+
+def _names(function: Function, type_: type[IntEnum] | type[IntFlag], world: World) -> Reader:
+    """Numbers of names; a quantity may be a number too."""
+
+    def read(item: Any) -> tuple[Any, ...]:
+        found = function(world, item)
+        if isinstance(found, int):
+            return (found,)
+        return (named(type_, (found,) if isinstance(found, str) else tuple(found)),)
+
+    return read
+
+
+__all__ = ["Encoder", "encoder"]

@@ -1,0 +1,64 @@
+"""Settings that several commands give in different forms: the mounting of the sensor, the rotation of a frame.
+
+`spec/simulation` names the form as the effect of the command, and its parameters as the arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from .earth import Matrix
+from .rotations import of_euler, of_quaternion, to_euler, to_quaternion, transposed
+
+Values = dict[str, Any]  # by argument of the effect
+
+
+def _euler(values: Values) -> Matrix:
+    return of_euler(values["roll"], values["pitch"], values["yaw"])
+
+
+def _to_euler(matrix: Matrix) -> Values:
+    return dict(zip(("roll", "pitch", "yaw"), to_euler(matrix)))
+
+
+#: Effect -> to the matrix from the sensor to the vehicle, and back.
+ORIENTATIONS: dict[str, tuple[Callable[[Values], Matrix], Callable[[Matrix], Values]]] = {
+    "orientation_euler": (_euler, _to_euler),
+    # p_vehicle = q^-1 * p_sensor * q: the inverse of the usual product
+    "orientation_quaternion": (
+        lambda v: transposed(of_quaternion(v["q"])),
+        lambda matrix: {"q": to_quaternion(transposed(matrix))},
+    ),
+    "orientation_dcm": (lambda v: tuple(v["dcm"]), lambda matrix: {"dcm": matrix}),
+}
+
+EULER, QUATERNION = 1, 2
+
+
+def matrix(effect: str, values: Values) -> Matrix:
+    """From the sensor to the vehicle. Some devices are given the inverse."""
+    found = ORIENTATIONS[effect][0](values)
+    return transposed(found) if values.get("inverse") else found
+
+
+def values(effect: str, matrix: Matrix, inverse: bool) -> Values:
+    return ORIENTATIONS[effect][1](transposed(matrix) if inverse else matrix)
+
+
+def is_rotation(m: Matrix) -> bool:
+    """Are its rows unit vectors at right angles, as exactly as four-byte floats can say?"""
+    rows = (m[:3], m[3:6], m[6:])
+    products = (sum(a * b for a, b in zip(rows[i], rows[j])) - (i == j) for i in range(3) for j in range(i, 3))
+    return all(abs(x) < 1e-3 for x in products)
+
+
+def rotation(given: Any, as_given: int, wanted: int) -> Any:
+    """The rotation of a frame, as Euler angles or as a quaternion."""
+    if given is None or as_given == wanted:
+        return given
+    found = of_euler(*given) if as_given == EULER else of_quaternion(given)
+    return to_euler(found) if wanted == EULER else to_quaternion(found)
+
+
+__all__ = ["ORIENTATIONS", "is_rotation", "matrix", "rotation", "values"]

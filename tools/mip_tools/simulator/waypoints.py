@@ -1,0 +1,71 @@
+"""The points of a track, and the files that list them."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from math import isfinite
+from pathlib import Path
+from typing import NamedTuple
+
+from .state import PLACES, MotionError, is_place
+
+
+class Waypoint(NamedTuple):
+    """A point of a track, and the speed from there on (of the track, if None)."""
+
+    latitude: float  # deg
+    longitude: float  # deg
+    height: float  # m
+    speed: float | None = None  # m/s
+
+
+def check(points: Sequence[Waypoint], loop: bool) -> None:
+    """Raises MotionError if they make no track."""
+    least = 3 if loop else 2
+    if len(points) < least:
+        raise MotionError(f"track: {len(points)} waypoints; a track{' that loops' * loop} needs at least {least}")
+    for i, p in enumerate(points, 1):
+        if not all(isfinite(x) for x in p if x is not None):
+            raise MotionError(f"track: waypoint {i} has a value that is not a number")
+        if not is_place(p.latitude, p.longitude, p.height):
+            raise MotionError(f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}, {p.height:g}; {PLACES}")
+        if p.speed is not None and p.speed <= 0:
+            raise MotionError(f"track: the speed at waypoint {i} is {p.speed:g} m/s; it must be above 0")
+
+
+def read_waypoints(path: str | Path) -> list[Waypoint]:
+    """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and optionally speed (m/s).
+
+    A heading, empty lines and lines that begin with # are ignored.
+    """
+    try:
+        text = Path(path).read_text("utf-8-sig")
+    except OSError as error:
+        raise MotionError(f"track: cannot read {path}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise MotionError(f"track: {path} is not a text file in UTF-8") from None
+    found: list[Waypoint] = []
+    first = True
+    for number, row in enumerate(csv.reader(text.splitlines()), 1):
+        cells = [cell.strip() for cell in row]
+        if not any(cells) or cells[0].startswith("#"):
+            continue
+        try:
+            values = [float(cell) for cell in cells if cell]
+        except ValueError:
+            if not first:
+                raise MotionError(f"{path}:{number}: '{','.join(cells)}' has a value that is not a number") from None
+            first = False
+            continue
+        first = False
+        if len(values) not in (3, 4):
+            raise MotionError(
+                f"{path}:{number}: {len(values)} numbers; a waypoint has latitude, longitude, height and optionally "
+                "speed"
+            )
+        found.append(Waypoint(*values))
+    return found
+
+
+__all__ = ["Waypoint", "check", "read_waypoints"]

@@ -1,0 +1,143 @@
+"""Answers and fields that are not as the specification has them. All choices come from the random
+generator of the caller."""
+
+from __future__ import annotations
+
+from functools import cache
+from random import Random
+
+from ..binding import (
+    MAX_PAYLOAD,
+    AckCode,
+    Acknowledge,
+    DecodeError,
+    Field,
+    RawField,
+    Response,
+    all_types,
+    chosen,
+    types,
+)
+
+ACKNOWLEDGE = Acknowledge.DESCRIPTOR
+
+
+def answer(
+    kind: str, command: RawField, fields: list[RawField], seen: dict[tuple[int, int], RawField], random: Random
+) -> tuple[list[RawField], str]:
+    """An answer with a fault, and what is wrong with it; the same fields if it cannot have it.
+
+    `seen`: earlier responses, by set and descriptor.
+    """
+    if kind == "lose_answer":
+        return [], "the answer is missing"
+    if not fields or fields[0].descriptor != ACKNOWLEDGE:
+        return fields, ""  # another fault has taken it
+    ack, rest = fields[0], fields[1:]
+    if kind == "refuse":
+        code = random.choice([c for c in AckCode if c])
+        made = ack._replace(data=bytes((command.descriptor, code)))
+        return [made], f"the command is refused with code {int(code)}"
+    if kind == "wrong_ack":
+        other = random.choice([d for d in range(1, 0x80) if d != command.descriptor])
+        made = ack._replace(data=bytes((other,)) + ack.data[1:])
+        return [made, *rest], f"the acknowledge names command 0x{other:02X}"
+    if not rest:
+        return fields, ""
+    if kind == "lose_ack":
+        return rest, "the acknowledge is missing"
+    if kind == "lose_response":
+        return [ack], "the response is missing"
+    made = _response(kind, rest[0], seen, random)
+    if made == rest[0]:
+        return fields, ""
+    what = f"0x{made.set:02X},0x{made.descriptor:02X} with {len(made.data)} bytes of data"
+    return [ack, made, *rest[1:]], f"the response is {what}"
+
+
+def _response(kind: str, raw: RawField, seen: dict[tuple[int, int], RawField], random: Random) -> RawField:
+    if kind == "wrong_descriptor":
+        return unused_response(raw, random)
+    if kind == "other_response":
+        return other_response(raw, seen, random)
+    if kind == "wrong_size":
+        return shorter(raw, random)
+    return raw._replace(data=random.randbytes(len(raw.data)))  # garbage
+
+
+def room(fields: list[RawField]) -> int:
+    """The bytes that a packet with these fields has left."""
+    return MAX_PAYLOAD - sum(len(f.data) + 2 for f in fields)
+
+
+def unknown_field(set: int, fields: list[RawField], random: Random) -> RawField | None:
+    """A field with a descriptor that the set does not have; None if the packet is full."""
+    size = min(room(fields) - 2, random.randrange(24))
+    if size < 0:
+        return None
+    first, last = (0x80, 0xF0) if set < 0x80 else (0x01, 0xCF)
+    free = [d for d in range(first, last + 1) if not types(set, d)]
+    return RawField(set, random.choice(free), random.randbytes(size)) if free else None
+
+
+def longer(fields: list[RawField], places: range, most: int, random: Random) -> tuple[int, RawField] | None:
+    """A field with bytes after its known parameters, as newer firmware sends it, and its place.
+
+    Only where the bytes can be nothing else: not in arrays that reach to the end of the field, nor
+    where the size chooses between layouts. None if there is no such field, or no room.
+    """
+    for at in random.sample(places, len(places)):
+        raw = fields[at]
+        count = min(random.randint(1, most), room(fields), 253 - len(raw.data))
+        made = raw._replace(data=raw.data + random.randbytes(max(count, 0)))
+        old, new = _left_over(raw), _left_over(made)
+        if count > 0 and old is not None and new is not None and new - old == count:
+            return at, made
+    return None
+
+
+def _left_over(raw: RawField) -> int | None:
+    kind = chosen(types(raw.set, raw.descriptor), raw)
+    try:
+        return None if kind is None else kind.decode_with_trailing(raw.data)[1]
+    except DecodeError:
+        return None
+
+
+def shorter(raw: RawField, random: Random) -> RawField:
+    """A response that is too short for every layout of it; the same if none is."""
+    for size in random.sample(range(len(raw.data)), len(raw.data)):
+        made = raw._replace(data=raw.data[:size])
+        if all(_truncated(t, made.data) for t in types(raw.set, raw.descriptor)):
+            return made
+    return raw
+
+
+def _truncated(kind: type[Field], data: bytes) -> bool:
+    try:
+        kind.decode(data)
+    except DecodeError:
+        return True
+    return False
+
+
+@cache
+def responses(set: int) -> tuple[type[Response], ...]:
+    return tuple(t for n, t in all_types() if n == set and issubclass(t, Response))
+
+
+def other_response(raw: RawField, seen: dict[tuple[int, int], RawField], random: Random) -> RawField:
+    """The response of another command: one that was sent before, else one of that descriptor."""
+    sent = [f for (n, d), f in sorted(seen.items()) if n == raw.set and d != raw.descriptor]
+    if sent:
+        return random.choice(sent)
+    known = sorted({t.DESCRIPTOR for t in responses(raw.set)} - {raw.descriptor})
+    descriptor = random.choice(known) if known else raw.descriptor ^ 1
+    return RawField(raw.set, descriptor, random.randbytes(len(raw.data)))
+
+
+def unused_response(raw: RawField, random: Random) -> RawField:
+    """The same data under a descriptor that no response of the set has."""
+    used = {t.DESCRIPTOR for t in responses(raw.set)} | {ACKNOWLEDGE}
+    free = [d for d in range(0x80, 0xF0) if d not in used]
+    return raw._replace(descriptor=random.choice(free))

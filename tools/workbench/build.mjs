@@ -1,0 +1,268 @@
+// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
+
+import { buildPacket, FIRST_DATA_SET, fromHex, nameIn, namedType, parameterOf, placesOf, readFloat, SHARED_SET, toHex } from "mip-protocol";
+import { conditionText, hexByte } from "./words.mjs";
+
+/** The sets in whose packets a field can be. */
+export function setsOf(protocol, field) {
+    if (field.set && field.set !== SHARED_SET) return placesOf(field).map(({ set }) => set);
+    const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
+    return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
+}
+
+/** The operations of a field that a function requires; all that are required where there is no selector. */
+export function requiredOperations(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
+}
+
+/** Values that a user would send or see, for a function where the field has a selector; optional ones if asked for. */
+export function typicalValues(protocol, field, selector, optional = false) {
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const found = numbersOf(protocol, field, (field.calls ? call?.typical : field.typical) ?? {});
+    const operations = optional ? allOperations(field) : requiredOperations(protocol, field, selector);
+    const values = {};
+    if (field.calls) values.function = selector;
+    for (const { kind, member } of operations) {
+        if (kind !== "constant" && Object.hasOwn(found, member)) values[member] = found[member];
+    }
+    return values;
+}
+
+/** The operations of a field, those of groups too. */
+export function allOperations(field) {
+    return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
+}
+
+/** Values as JavaScript has them: the model has the bits of floats. */
+function numbersOf(protocol, record, values) {
+    const found = {};
+    for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (Object.hasOwn(values, op.member)) found[op.member] = numberOfBits(protocol, op, values[op.member]);
+    }
+    return found;
+}
+
+function numberOfBits(protocol, op, value) {
+    switch (op.kind) {
+        case "array":
+            return value.map((one) => numberOfBits(protocol, op.item, one));
+        case "struct":
+            return numbersOf(protocol, protocol.type(op.struct), value);
+        case "switch":
+            return numbersOf(protocol, { operations: op.cases.map((one) => one.operation).filter(Boolean) }, value);
+        case "scalar":
+            return protocol.scalar(op.scalar).kind === "float" ? readFloat(fromHex(value.slice(2))) : value;
+        default:
+            return Array.isArray(value) ? [...value] : value;
+    }
+}
+
+/** Values to begin with: typical ones, else as few as possible. */
+export function initialValues(protocol, field, selector) {
+    const values = typicalValues(protocol, field, selector);
+    for (const op of requiredOperations(protocol, field, selector)) {
+        if (op.kind !== "constant" && !Object.hasOwn(values, op.member)) values[op.member] = initialValue(protocol, op, field, values);
+    }
+    return values;
+}
+
+function begin(protocol, op, record, values) {
+    if (op.kind === "constant") return;
+    values[op.member] = initialValue(protocol, op, record, values);
+}
+
+/** The value to begin with of one operation; that of a union depends on the values before it. */
+export function initialValue(protocol, op, record, values) {
+    const parameter = parameterOf(record, op.member) ?? {};
+    const given = parameter.default ?? parameter.reserved;
+    switch (op.kind) {
+        case "counter":
+            return 0;
+        case "bits":
+            return Array(op.size).fill(0);
+        case "text":
+            return (typeof given === "string" ? given : "").padEnd(op.count ?? 0);
+        case "array": {
+            const count = op.count ?? (Array.isArray(given) ? given.length : 0);
+            const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
+            return Array.from({ length: count }, (_, i) => {
+                const one = Array.isArray(given) ? given[i] : given;
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, parameter, one, {});
+            });
+        }
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            const inner = {};
+            for (const part of struct.operations) begin(protocol, part, struct, inner);
+            return inner;
+        }
+        case "switch": {
+            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
+        }
+        default:
+            return numberOf(protocol, parameter, given ?? firstOf(protocol, parameter, values), values);
+    }
+}
+
+function firstOf(protocol, parameter, values) {
+    const type = namedType(protocol, parameter, values);
+    if (type?.kind === "enum") return type.values[0].value;
+    return Math.max(0, parameter.minimum ?? 0);
+}
+
+/** A number for a default: it may be the name of a value, or names of bits. */
+function numberOf(protocol, parameter, given, values) {
+    const type = namedType(protocol, parameter, values);
+    if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
+    if (Array.isArray(given)) {
+        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
+    }
+    return Number(given);
+}
+
+/** The same values, with the number of elements in every counter. */
+export function counted(protocol, operations, values) {
+    const all = { ...values };
+    for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (op.kind === "counter" && all[op.array] !== undefined) all[op.member] = all[op.array].length;
+        if (!Object.hasOwn(all, op.member)) continue;
+        if (op.kind === "struct") all[op.member] = counted(protocol, protocol.type(op.struct).operations, all[op.member]);
+        if (op.kind === "array" && op.item.kind === "struct") {
+            const { operations: inner } = protocol.type(op.item.struct);
+            all[op.member] = all[op.member].map((item) => counted(protocol, inner, item));
+        }
+        if (op.kind === "switch") {
+            const selected = op.cases.map((one) => one.operation).filter((one) => one && Object.hasOwn(all[op.member], one.member));
+            all[op.member] = counted(protocol, selected, all[op.member]);
+        }
+    }
+    return all;
+}
+
+/** The packet of some fields with their values, each `{ field, values }`; raises a MipError that says what is wrong. */
+export function packetOf(protocol, set, entries) {
+    const fields = entries.map(({ field, values }) => ({
+        descriptor: field.descriptor,
+        name: nameIn(field, set),
+        values: counted(protocol, field.operations, values),
+    }));
+    return buildPacket(protocol, set, fields);
+}
+
+// ------------------------------------------------------------------------------------------------ optional parameters
+
+/** The groups of operations that may follow what a function requires. */
+export function optionalGroups(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
+    const groups = field.operations.filter((op) => op.kind === "group" && op.last > required);
+    return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
+}
+
+/** How many of these groups are there. */
+export function countOptional(groups, values) {
+    const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
+    return absent < 0 ? groups.length : absent;
+}
+
+/** The operations of what is there: all that are required, and the optional ones with values. */
+export function shownOperations(protocol, field, values) {
+    const groups = optionalGroups(protocol, field, values.function);
+    const optional = groups.slice(0, countOptional(groups, values)).flatMap((op) => op.body);
+    return [...requiredOperations(protocol, field, values.function), ...optional];
+}
+
+// ------------------------------------------------------------------------------------------------ devices
+
+/**
+ * What a device says of a field in a set: an entry of its `supports`; without a device, of any field; responses go with
+ * commands.
+ */
+export function supportOn(protocol, device, field, set) {
+    if (!device || field === protocol.acknowledge) return {};
+    const names = field.role === "response" ? commandsOf(protocol, field) : [nameIn(field, set)];
+    return device.supports?.find((one) => names.includes(one.field));
+}
+
+function commandsOf(protocol, response) {
+    return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
+}
+
+/**
+ * Whether a device can be offered a field in a set: "" if it supports it, "perhaps" if it probably does, "not known" if its profile is
+ * incomplete and does not list it, undefined if it has no such field.
+ */
+export function certaintyOn(protocol, device, field, set) {
+    const support = supportOn(protocol, device, field, set);
+    if (support) return support.evidence ? "perhaps" : "";
+    return device.incomplete ? "not known" : undefined;
+}
+
+/** What differs on a device in a set, each in words. */
+export function differencesOn(protocol, device, field, set) {
+    const support = supportOn(protocol, device, field, set);
+    if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
+    const found = [];
+    if (support.evidence) found.push(`it probably supports this: ${support.evidence}`);
+    if (support.functions) found.push(`only ${support.functions.join(", ")}`);
+    if (support.deprecated) found.push(`deprecated: ${support.deprecated}`);
+    for (const parameter of field.parameters) {
+        for (const variant of parameter.variants ?? []) {
+            if (variant.by === "device" && variant.key === device.id) found.push(`${parameter.name}: ${variantText(variant)}`);
+        }
+    }
+    return found;
+}
+
+function variantText({ type, units, minimum, maximum, default: usual, only, constant, unknown, description, deprecated }) {
+    const parts = [
+        unknown && "its values are not known",
+        type && `values of ${type}`,
+        only && `only ${only.join(", ")}`,
+        constant !== undefined && `always ${constant}`,
+        units?.length && `in ${units.join(", ")}`,
+        minimum !== undefined && `at least ${minimum}`,
+        maximum !== undefined && `at most ${maximum}`,
+        usual !== undefined && `default ${usual}`,
+        deprecated && "deprecated",
+        description,
+    ];
+    return parts.filter(Boolean).join("; ") || "differs";
+}
+
+// ------------------------------------------------------------------------------------------------ answers
+
+/**
+ * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
+ * comes; `responses`, each with the field, the condition under which it is directly behind the acknowledge, and a packet
+ * with typical values.
+ */
+export function answerOf(protocol, field, values) {
+    const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
+    const conditions = [...(field.silent_when ?? []), ...(field.silenced_by ?? [])].map(conditionText);
+    if (call && !call.reply) return { silent: `The function ${call.name} is not answered.`, conditions, responses: [] };
+    const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
+    const { acknowledge } = protocol;
+    const [command, code] = acknowledge.operations.map((op) => op.member);
+    const first = { field: acknowledge, values: { [command]: field.descriptor, [code]: 0 } };
+    const packet = packetOf(protocol, field.set, [first]);
+    const responses = asked.map((response) => ({
+        field: response,
+        when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+        packet: packetOf(protocol, field.set, [first, { field: response, values: initialValues(protocol, response) }]),
+    }));
+    return { acknowledge: packet, responses, conditions };
+}
+
+/** The bytes as source code. */
+export function sourceOf(bytes, language) {
+    const list = Array.from(bytes, hexByte).join(", ");
+    const plain = `\\x${toHex(bytes, "\\x")}`;
+    return {
+        c: `static const uint8_t packet[] = {${list}};`,
+        python: `packet = b"${plain}"`,
+        rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
+    }[language];
+}

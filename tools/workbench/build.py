@@ -1,0 +1,160 @@
+"""Builds the tools for the browser as pages that open from disk.
+
+    python3 build.py PACKAGE FOLDER
+
+PACKAGE is a codec that mipgen generated, such as `generated/javascript`, of any specification. Browsers load no modules
+from disk, so the tools, the codec and the model of the specification become one classic script, `workbench.js`, which
+defines one global object, `mip`, with the exports of `index.mjs`. FOLDER gets that script, the style sheets, and a page
+for each tool.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import sys
+from pathlib import Path
+from string import Template
+
+HERE = Path(__file__).resolve().parent
+
+#: The pages, by the function that fills them.
+TOOLS = {
+    "bandwidth": "Bandwidth calculator",
+    "builder": "Packet builder",
+    "finder": "Field finder",
+    "inspector": "Packet inspector",
+}
+
+#: By this name the tools import the codec, whatever its package is called.
+CODEC = "mip-protocol"
+
+
+class Failure(Exception):
+    """Something that the user can put right."""
+
+
+# The forms of statements that modules use; Biome writes each at the beginning of a line.
+_IMPORT = re.compile(r'^import (?:\{(?P<names>[^}]*)\}|(?P<default>\w+)) from "(?P<source>[^"]+)";$', re.M)
+_FORWARD = re.compile(r'^export (?:\{(?P<names>[^}]*)\}|\*) from "(?P<source>[^"]+)";$', re.M)
+_DECLARED = re.compile(r"^export (?=(?:async )?(?:const|class|function\*?) (?P<name>\w+))", re.M)
+_DEFAULT = re.compile(r"^export default ", re.M)
+_OTHER = re.compile(r"^(?:import|export)\b.*", re.M)
+
+
+class Bundle:
+    """Modules as functions, each behind those that it imports. What a module exports is in `modules`, by its path."""
+
+    def __init__(self, package: Path) -> None:
+        self.package = package.resolve()
+        try:
+            self.exports = json.loads((self.package / "package.json").read_text("utf-8"))["exports"]
+        except FileNotFoundError:
+            raise Failure(f"{package} has no package.json; generate the target javascript first") from None
+        self.functions: dict[str, str] = {}
+
+    def text(self) -> str:
+        last = self.add(HERE / "index.mjs", ())
+        functions = "\n\n".join(self.functions.values())
+        return (
+            "// The MIP workbench: tools, codec and model as one script, built from modules. MIT licence.\n"
+            f'(() => {{\n"use strict";\nconst modules = {{}};\n\n{functions}\n\nglobalThis.mip = {last};\n}})();\n'
+        )
+
+    def add(self, path: Path, importers: tuple[Path, ...]) -> str:
+        """Adds a module and what it imports; returns the expression for its exports."""
+        home, name = (HERE, "workbench") if path.is_relative_to(HERE) else (self.package, CODEC)
+        key = f"{name}/{path.relative_to(home).as_posix()}"
+        if path in importers:
+            raise Failure(f"{path} imports itself through {importers[-1]}")
+        if key not in self.functions:
+            function = self.function(path, (*importers, path))  # adds what it imports, which comes first
+            self.functions[key] = f"modules[{json.dumps(key)}] = {function};"
+        return f"modules[{json.dumps(key)}]"
+
+    def function(self, path: Path, importers: tuple[Path, ...]) -> str:
+        exported: list[str] = []
+
+        def imported(match: re.Match[str]) -> str:
+            source = self.add(self.resolved(match["source"], path), importers)
+            names = f"default: {match['default']}" if match["default"] else ", ".join(_pairs(match["names"], "{}: {}"))
+            return f"const {{ {names} }} = {source};"
+
+        def forwarded(match: re.Match[str]) -> str:
+            source = self.add(self.resolved(match["source"], path), importers)
+            all_ = match["names"] is None
+            exported.extend([f"...{source}"] if all_ else _pairs(match["names"], f"{{1}}: {source}.{{0}}"))
+            return ""
+
+        def declared(match: re.Match[str]) -> str:
+            exported.append(match["name"])
+            return ""
+
+        def default(_: re.Match[str]) -> str:
+            exported.append("default: default_")
+            return "const default_ = "
+
+        text = path.read_text("utf-8")
+        if other := next((m for m in _OTHER.finditer(text) if not _known(text, m.start())), None):
+            line = text.count("\n", 0, other.start()) + 1
+            raise Failure(f"{path}:{line}: error: a statement that cannot be bundled: {other[0]}")
+        for pattern, change in (_IMPORT, imported), (_FORWARD, forwarded), (_DECLARED, declared), (_DEFAULT, default):
+            text = pattern.sub(change, text)
+        return f"(() => {{\n{text}\nreturn {{ {', '.join(exported)} }};\n}})()"
+
+    def resolved(self, source: str, importer: Path) -> Path:
+        """The file of a module that another one imports."""
+        name, _, rest = source.partition("/")
+        if name.startswith("."):
+            found = (importer.parent / source).resolve()
+        elif name == CODEC and f"./{rest}".rstrip("/") in self.exports:
+            found = (self.package / self.exports[f"./{rest}".rstrip("/")]).resolve()
+        else:
+            raise Failure(f"{importer}: error: {source} is not in the codec at {self.package}")
+        if not found.is_file():
+            raise Failure(f"{importer}: error: {found} is missing")
+        return found
+
+
+def _known(text: str, place: int) -> bool:
+    return any(pattern.match(text, place) for pattern in (_IMPORT, _FORWARD, _DECLARED, _DEFAULT))
+
+
+def _pairs(names: str, form: str) -> list[str]:
+    """Each of `a, b as c` in a form that takes the name there and the name here."""
+    found = (name.strip().partition(" as ") for name in names.split(",") if name.strip())
+    return [form.format(there, here or there) for there, _, here in found]
+
+
+def build(package: Path, folder: Path) -> list[Path]:
+    """Writes the workbench; returns its pages."""
+    script = Bundle(package).text()
+    page = Template((HERE / "page.html").read_text("utf-8"))
+    links = "\n".join(f'            <a href="{name}.html">{title}</a>' for name, title in TOOLS.items())
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "workbench.js").write_text(script, "utf-8")
+    for style in sorted(HERE.glob("*.css")):
+        shutil.copy(style, folder)
+    pages = [folder / f"{name}.html" for name in TOOLS]
+    for path, (name, title) in zip(pages, TOOLS.items(), strict=True):
+        path.write_text(page.substitute(name=name, title=title, links=links), "utf-8")
+    return pages
+
+
+def main(arguments: list[str]) -> int:
+    if len(arguments) != 2:
+        print("usage: build.py PACKAGE FOLDER", file=sys.stderr)
+        return 2
+    try:
+        pages = build(Path(arguments[0]), Path(arguments[1]))
+    except Failure as failure:
+        print(f"build.py: {failure}", file=sys.stderr)
+        return 1
+    for path in pages:
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

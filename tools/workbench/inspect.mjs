@@ -1,0 +1,108 @@
+// What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
+
+import { fromHex, isSet, measuredHere, MipError, namedType, Packet, parametersAt, sameBytes, segments, toHex, valueAt } from "mip-protocol";
+import { bytesOfText } from "./pasted.mjs";
+import { choicesOf, pathText, shown } from "./words.mjs";
+
+/**
+ * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
+ * the checksum that is right, and other bytes `why`: what keeps those that begin like a packet from being one.
+ *
+ * @param device the id of a device, whose readings are used where they differ
+ */
+export function inspect(protocol, text, device = undefined) {
+    const { bytes, ignored } = bytesOfText(text);
+    return { bytes, ignored, parts: segments(protocol, bytes).map((part) => inspectPart(protocol, part, device)) };
+}
+
+function inspectPart(protocol, part, device) {
+    if (part.kind === "other") return { ...part, why: whyOther(protocol, part.bytes) };
+    const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
+    const set = protocol.sets.get(part.bytes[2]);
+    const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
+    const verdict =
+        part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
+    return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
+}
+
+/** What is wrong with the frames that begin with the sync bytes: [{ at, error }]. */
+function whyOther(protocol, bytes) {
+    const found = [];
+    for (let at = 0; at + 3 < bytes.length; at++) {
+        const frame = new Packet(protocol, bytes.subarray(at, at + bytes[at + 3] + 6));
+        if (!sameBytes(bytes.subarray(at, at + 2), protocol.sync)) continue;
+        const set = toHex(bytes.subarray(at + 2, at + 3)).toUpperCase();
+        if (!isSet(bytes[at + 2])) found.push({ at, error: new MipError("set", `descriptor set 0x${set}, which no packet has`) });
+        else if (frame.bytes.length === bytes[at + 3] + 6) found.push({ at, error: frame.decode().at(-1)?.error });
+    }
+    return found.filter(({ error }) => error);
+}
+
+/** The beginning of a packet with zeros in place of what is missing. */
+function completed(bytes) {
+    const whole = new Uint8Array(Math.max((bytes[3] ?? 0) + 6, bytes.length));
+    whole.set(bytes);
+    return whole;
+}
+
+function inspectField(protocol, raw, packet, part, device) {
+    if (raw.offset === undefined) return part.kind === "incomplete" ? undefined : { error: raw.error };
+    const end = raw.offset + 2 + raw.data.length;
+    if (part.kind === "incomplete" && end > part.bytes.length) return undefined;
+    const found = { ...raw, bytes: packet.bytes.subarray(raw.offset, end) };
+    if (!raw.field) return found;
+    const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, device));
+    return { ...found, rows, errata: errataOf(protocol, raw.field) };
+}
+
+function inspectValue(protocol, { field, values, data }, part, device) {
+    const parameters = parametersAt(protocol, field, part.path);
+    const places = part.path.flatMap((step, i) => (typeof step === "number" ? [] : [i])); // of the names in the path
+    const [siblings, around] = [places.at(-1), places.at(-2)].map((place) => valueAt(values, part.path.slice(0, place)));
+    const parameter = measuredHere(protocol, parameters.at(-1).parameter, siblings, device);
+    const type = namedType(protocol, parameter, siblings, device);
+    const index = part.path.slice(places.at(-1) + 1).at(-1);
+    const outer = parameters.length > 1 ? { parameter: parameters.at(-2).parameter, values: around } : undefined;
+    const meaning = parameter.shown ? choicesOf(protocol, parameter, siblings, outer).get(Number(part.value)) : undefined;
+    const byDevice = (parameter.variants ?? []).some((one) => one.by === "device" && one.type && !one.member);
+    return {
+        path: pathText([...parameters.slice(0, -1), { parameter }], part.path),
+        bytes: data.subarray(part.offset, part.offset + part.size),
+        value: part.value,
+        parameter,
+        type,
+        meaning,
+        byDevice: byDevice && device === undefined && meaning === undefined,
+        ...shown(protocol, part, parameter, type, index),
+    };
+}
+
+// ------------------------------------------------------------------------------------------------ errata
+
+/** The mistakes of the manuals about a field: in the sections that it cites, and in its lengths. */
+export function errataOf(protocol, field) {
+    const places = new Set(field.sources.map((source) => `${source.manual}\n${source.section}`));
+    return protocol.model.errata.filter(
+        (erratum) =>
+            (field.role !== "response" && places.has(`${erratum.manual}\n${erratum.section}`)) ||
+            erratum.claims.some((claim) => claim.kind === "length" && claim.subject === field.name),
+    );
+}
+
+/** The examples of manuals that are printed with exactly these bytes although others are right. */
+export function misprintsOf(protocol, bytes) {
+    const { examples, errata } = protocol.model;
+    return examples
+        .filter((example) => printedAs(example, bytes) && !sameBytes(fromHex(example.packet), bytes))
+        .map((example) => ({
+            example,
+            right: fromHex(example.packet),
+            errata: errata.filter((one) => one.claims.some((claim) => claim.kind === "example" && claim.subject === example.id)),
+        }));
+}
+
+function printedAs({ string, table }, bytes) {
+    const digits = string?.replace(/[^0-9a-f]/gi, "");
+    if (digits && digits.length % 2 === 0 && sameBytes(fromHex(digits), bytes)) return true;
+    return Boolean(table) && table.length === bytes.length && table.every((byte, i) => byte === null || byte === bytes[i]);
+}

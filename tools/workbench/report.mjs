@@ -1,0 +1,132 @@
+// What the builder shows of a packet: its bytes, the programs that send it, and the answer of the device.
+
+import { MipError, unitOf } from "mip-protocol";
+import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";
+import { element } from "./dom.mjs";
+import { LANGUAGES, programOf } from "./programs/index.mjs";
+import { descriptorOf, spacedHex } from "./words.mjs";
+
+/** The packet, or the error that says why there is none. */
+export function built(protocol, { set, entries }) {
+    try {
+        return packetOf(protocol, set, entries);
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return { error };
+    }
+}
+
+export function report(protocol, { set, entries }, packet, to) {
+    if (packet.error) return [element("p", { class: "mip-wrong" }, `${packet.error.message}.`)];
+    const sources = LANGUAGES.map(([key, title]) => [
+        element("dt", {}, title),
+        element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key))),
+    ]);
+    const title =
+        entries.length === 1
+            ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field, set)}`]
+            : [`A packet of ${entries.length} fields`];
+    return [
+        element("h2", {}, ...title),
+        element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
+        element("p", {}, `${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+        ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
+        element("h3", {}, "The packet in source code"),
+        element("dl", { class: "mip-bytes" }, sources),
+    ];
+}
+
+/** The programs of a field, and what it is answered with. */
+function entryReport(protocol, { field, values }, several, to) {
+    const heading = several ? [element("h2", {}, to.field(field))] : [];
+    const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
+    return [...heading, ...programs(protocol, field, values), ...answer];
+}
+
+function programs(protocol, field, values) {
+    if (field.role === "response") return [];
+    const shown = LANGUAGES.map(([key, title]) => {
+        const text = programText(protocol, key, field, values);
+        const code = element("pre", {}, element("code", { "data-program": key }, text));
+        return element("details", { open: key === "python" }, element("summary", {}, title), code);
+    });
+    const given =
+        field.role === "command"
+            ? "Each assumes an open `device`."
+            : "C has a `field` of a packet, Python an open `device`, Rust a `packet`.";
+    return [
+        element("h3", {}, field.role === "command" ? "Programs that send it" : "Programs that read it"),
+        element("p", {}, given.replaceAll("`", "")),
+        ...shown,
+    ];
+}
+
+function programText(protocol, language, field, values) {
+    try {
+        return programOf(protocol, language, field, [counted(protocol, allOperations(field), values)]);
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return `${error.message}.`;
+    }
+}
+
+function answerReport(protocol, field, values, to) {
+    const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
+    const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
+    if (silent) return [element("h3", {}, "Answer"), element("p", { class: "mip-answer" }, silent)];
+    const listed = responses.map(({ field: response, when, packet }) =>
+        element(
+            "li",
+            { "data-field": response.name },
+            to.field(response),
+            ` ${descriptorOf(response)}, ${sizeText(response)}`,
+            when && `, if ${when}`,
+            element("br", {}),
+            "for example ",
+            element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
+            layoutTable(response),
+        ),
+    );
+    return [
+        element("h3", {}, "Answer"),
+        element(
+            "p",
+            { class: "mip-answer" },
+            listed.length ? "The acknowledge, directly followed by a response in the same packet:" : "The acknowledge: ",
+            !listed.length && element("code", {}, spacedHex(acknowledge.bytes)),
+            !listed.length && unless,
+        ),
+        listed.length > 0 && element("ul", {}, listed),
+        listed.length > 0 && unless && element("p", {}, unless),
+        element("p", {}, "A refusal is an acknowledge with another code, without a response."),
+    ].filter(Boolean);
+}
+
+/** The parameters of a response, in order. */
+function layoutTable(response) {
+    const rows = response.parameters.map((parameter) => {
+        const many = parameter.length === undefined ? "" : `[${parameter.length}]`;
+        const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
+        return element(
+            "tr",
+            {},
+            cells.map((cell) => element("td", {}, cell)),
+        );
+    });
+    if (!rows.length) return "";
+    const heading = element(
+        "tr",
+        {},
+        ["Name", "Type", "Unit", "Description"].map((cell) => element("th", {}, cell)),
+    );
+    return element(
+        "details",
+        {},
+        element("summary", {}, "Layout"),
+        element("div", { class: "mip-scroll" }, element("table", {}, heading, rows)),
+    );
+}
+
+function sizeText({ min_size: least, max_size: most }) {
+    return least === most ? `${least + 2} bytes` : `${least + 2} to ${most + 2} bytes`;
+}
