@@ -7,7 +7,8 @@ OUT ?= generated
 BUILD ?= build
 VENV := .venv
 RUN := $(VENV)/bin/python
-MIPGEN := PYTHONPATH=generator $(RUN) -m mipgen
+# What is compiled of the generator is kept, even where Python is told to keep nothing: it is a third of a short run.
+MIPGEN := PYTHONDONTWRITEBYTECODE= PYTHONPATH=generator $(RUN) -m mipgen
 JOBS ?= 2
 TESTS ?= tests
 

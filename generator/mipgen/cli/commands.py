@@ -48,14 +48,16 @@ def generate(options: Namespace) -> int:
         print(known["summary"])
         rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
     else:
-        from mipgen.emit import build
+        from mipgen.emit import build, slices
 
         _apart(options, sources)
         model, summary = _load(options)
-        outputs = build.make(model, sources)
+        past = slices.Slices(model, options.out, repr([_specs(options), _part(options)]))
+        outputs = build.make(model, sources, past)
         changes = _write(options, outputs)
         print(summary)
         rows = [(o.name, o.title, len(o.files), changed) for o, changed in zip(outputs, changes, strict=True)]
+        past.keep()
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
@@ -102,9 +104,13 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()))
     if any(source.module or source.program for source in sources):
         return sources, None  # the inputs of a user's module or program are unknown
-    part = repr([getattr(options, name, ()) for name in PARTS])
     names = (source.name for source in sources)
-    return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
+    return sources, stamp.key([*specs, *options.target_path], options.run, _part(options), str(len(specs)), *names)
+
+
+def _part(options: Namespace) -> str:
+    """Which part of the specification is selected."""
+    return repr([getattr(options, name, ()) for name in PARTS])
 
 
 def _apart(options: Namespace, sources: list[Source]) -> None:

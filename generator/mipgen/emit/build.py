@@ -11,6 +11,7 @@ from mipgen.read.problems import Problem, Problems, SpecError
 
 from . import discovery, naming, render
 from .discovery import Source
+from .slices import NAMES, Anew, Slices
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +30,14 @@ def check_names(model: Model, sources: Sequence[Source]) -> None:
     _raise([problem for problems in found for problem in problems])
 
 
-def make(model: Model, sources: Sequence[Source]) -> list[Output]:
-    """The output of each target, each made in its own process; then those of plugins, which run beside this one."""
+def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) -> list[Output]:
+    """The output of each target, each made in its own process; then those of plugins, which run beside this one.
+    With slices, what is right since the last run is not made again."""
 
     def one(source: Source) -> Output:
-        problems = _unfit(model, source)
-        files = {} if problems else render.render(source, model)
+        past = slices.of(source.name) if slices and source.ours else Anew()
+        problems = [] if past.unchanged(NAMES) else past.make(NAMES, _unfit, model, source)
+        files = {} if problems else render.render(source, model, past)
         target = source.load()
         rename = target.renaming(model.protocol.package)
         return Output(source.name, rename(target.title) if rename else target.title, files, problems)

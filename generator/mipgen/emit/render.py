@@ -5,7 +5,8 @@ Everything is made in memory first, so that a failing run leaves nothing half-wr
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
@@ -15,7 +16,11 @@ from mipgen.model import Model
 
 from . import discovery, formatting, output
 from .discovery import Source
+from .slices import PLAN, Anew
 from .target import File, Target
+
+if TYPE_CHECKING:
+    from .templating import Templates
 
 
 def names() -> list[str]:
@@ -35,34 +40,50 @@ def language(name: str) -> dict[str, Any]:
     return found
 
 
-def render(source: Source | str, model: Model) -> dict[str, bytes]:
-    """All files of a target, by path."""
+def render(source: Source | str, model: Model, past: Anew | None = None) -> dict[str, bytes]:
+    """All files of a target, by path. Those that are right since the last run are not made again."""
     if isinstance(source, str):
         source = discovery.sources()[source]
+    past = past or Anew()
+    right = past.all_right()
+    if right is not None:
+        return right
+    target, place = source.load(), f"target {source.name}"
+    files, templates, rename = past.make(PLAN, _plan, source, model)
+    made = _finished(source)
+    if rename is not None:  # in paths too
+        made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
+    fresh = set(made)
+    for file in files:
+        if not isinstance(file, File):
+            raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
+        path = file.path if rename is None else rename(file.path)
+        output.admit(path, made, place)
+        data = past.right(path)
+        if data is None:
+            fresh.add(path)
+            text = past.make(path, templates.render, file.template, file.context, file.path)
+            data = (text if rename is None else rename(text)).encode("utf-8")
+        made[path] = data
+    if target.formatter is not None:
+        made = formatting.formatted(target.formatter, made, fresh)
+    made = output.finished(made, place)
+    past.keep(made)
+    return made
+
+
+def _plan(source: Source, model: Model) -> tuple[list[File], Templates, Callable[[str], str] | None]:
+    """What all files of a target share, and which there are."""
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     target = source.load()
-
     templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
-    place = f"target {source.name}"
-    made = _runtime(source)
-    made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
-    for file in target.files(model):
-        if not isinstance(file, File):
-            raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
-        output.admit(file.path, made, place)
-        made[file.path] = templates.render(file.template, file.context, file.path).encode("utf-8")
-    rename = target.renaming(model.protocol.package)
-    if rename is not None:  # in paths too
-        made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
-    if target.formatter is not None:
-        made = formatting.formatted(target.formatter, made)
-    return output.finished(made, place)
+    return list(target.files(model)), templates, target.renaming(model.protocol.package)
 
 
-def _runtime(source: Source) -> dict[str, bytes]:
-    """The files that are copied unchanged."""
-    made: dict[str, bytes] = {}
+def _finished(source: Source) -> dict[str, bytes]:
+    """The files that are copied."""
+    made = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
     for runtime in reversed(source.runtimes):
         if runtime.is_dir():
             made |= {path: file.read_bytes() for path, file in resources.files(runtime)}

@@ -6,11 +6,8 @@ what targets ask; what is said of each part is in the module of that name.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from dataclasses import field as attribute
-from typing import Any
-
 from mipgen import model as m
+from mipgen.base.reads import Memo
 
 from . import fields, parameters
 from .devices import device, lengths
@@ -56,23 +53,28 @@ __all__ = [
 ]
 
 
-@dataclass
 class _Composed:
     """The facts of one model, each composed when it is first needed."""
 
-    model: m.Model
-    known: dict[tuple[int, ...], tuple[Any, list[Fact]]] = attribute(default_factory=dict)
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+        self.alive: list[object] = []  # what is asked about is kept, so that nothing else has its identity
+        self.fields: Memo[int, list[Fact]] = Memo()
+        self.parameters: Memo[tuple[int, int], list[Fact]] = Memo()
 
     def field(self, f: m.Field) -> list[Fact]:
-        if (id(f),) not in self.known:
-            self.known[(id(f),)] = f, list(fields.facts(f, self.model))  # kept, so that nothing else has its identity
-        return list(self.known[(id(f),)][1])
+        return list(self.fields.get(id(f), self._field, f))
 
     def parameter(self, p: m.Parameter, record: Record) -> list[Fact]:
-        key = id(p), id(record)
-        if key not in self.known:
-            self.known[key] = (p, record), parameters.facts(p, record, self.model)
-        return list(self.known[key][1])
+        return list(self.parameters.get((id(p), id(record)), self._parameter, p, record))
+
+    def _field(self, f: m.Field) -> list[Fact]:
+        self.alive.append(f)
+        return list(fields.facts(f, self.model))
+
+    def _parameter(self, p: m.Parameter, record: Record) -> list[Fact]:
+        self.alive += (p, record)
+        return parameters.facts(p, record, self.model)
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:

@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import islice
 
 from mipgen import model as m
+from mipgen.base.reads import kept
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -118,7 +118,7 @@ class _Names:
         """Is it the name of a field or a type, or of a descriptor without a layout?"""
         return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
 
-    @cached_property
+    @kept
     def titles(self) -> dict[str, list[str]]:
         """The titles of commands, and their names in words -> full names."""
         found: dict[str, list[str]] = {}
@@ -128,13 +128,13 @@ class _Names:
                     found.setdefault(words, []).append(f.full_name)
         return found
 
-    @cached_property
+    @kept
     def full_names(self) -> set[str]:
         types = {f"{x.name}.{t.name}" for x in self.model.families for t in x.types}
         named = {f"{s.name}.{n.name}" for x in self.model.families for s in x.sets for n in x.named}
         return {*self.model.names, *types, *named}
 
-    @cached_property
+    @kept
     def words(self) -> set[str]:
         """Names without a set: of parameters, values and bits, of sets, functions, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)

@@ -8,11 +8,12 @@ range; `made_up` lists those.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from mipgen import model as m
+from mipgen.base.reads import Memo, kept
 from mipgen.lower import codec
+from mipgen.model.parameters import alike
 from mipgen.model.simulation import Value
 
 from .examples import plain
@@ -28,9 +29,7 @@ class SampleValues:
         """The values that a field requires if it is sent in this way, in the form of the codec. Do not change them:
         they are made once."""
         key = (f.full_name, call.function.value if call.function else None)
-        if key not in self._values:
-            self._values[key] = self._made(f, call, [])
-        return self._values[key]
+        return self._values.get(key, self._made, f, call, [])
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
         """The same without the function, and with those that are optional."""
@@ -84,7 +83,7 @@ class SampleValues:
         found = {
             p.name: values[p.name]
             for p in f.parameters
-            if p.name in values and (p.element, p.length, p.cases) == _form(same[p.name])
+            if p.name in values and _same_form(p, same[p.name])
         }
         return found | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
 
@@ -142,19 +141,19 @@ class SampleValues:
         number = sets[0] if f.everywhere and sets else f.set
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
 
-    @cached_property
-    def _values(self) -> dict[tuple[str, int | None], codec.Values]:
-        return {}
+    @kept
+    def _values(self) -> Memo[tuple[str, int | None], codec.Values]:
+        return Memo()
 
-    @cached_property
+    @kept
     def _quantities(self) -> dict[str, Any]:
         return {q.name: q.typical for q in self.model.simulation.quantities}
 
-    @cached_property
+    @kept
     def _sources(self) -> dict[str, tuple[Value, ...]]:
         return {s.field.full_name: s.values for s in reversed(self.model.simulation.sources)}
 
-    @cached_property
+    @kept
     def _initial(self) -> dict[str, list[tuple[str, Any]]]:
         """Command -> the values that a new device has."""
         found: dict[str, list[tuple[str, Any]]] = {}
@@ -162,7 +161,7 @@ class SampleValues:
             found.setdefault(b.command.full_name, []).extend(b.initial)
         return found
 
-    @cached_property
+    @kept
     def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
         """Field -> function -> the values of the first example that a reader would take for typical."""
         found: dict[str, dict[int | None, codec.Values]] = {}
@@ -196,8 +195,8 @@ def title_of(f: m.Field, given: GivenValues) -> str:
     return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
 
 
-def _form(p: m.Parameter) -> tuple[object, object, object]:
-    return p.element, p.length, p.cases
+def _same_form(p: m.Parameter, q: m.Parameter) -> bool:
+    return p.element == q.element and p.length == q.length and alike(p.cases, q.cases)
 
 
 def _state(found: codec.Values, p: m.Parameter, value: object) -> None:

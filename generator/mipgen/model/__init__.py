@@ -10,6 +10,7 @@ Guides and the simulation are read from their own modules.
 
 from mipgen.read.position import Position
 
+from . import details, devices, evidence, fields, guides, operations, parameters, protocol, simulation, specification, types
 from .devices import Device, DeviceVariant, Limit, Note, Port, Rate, Support
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
@@ -120,3 +121,5 @@ __all__ = [
     "Word",
     "letters",
 ]
+
+details.CLASSES += details.classes(devices, evidence, fields, guides, operations, parameters, protocol, simulation, types)

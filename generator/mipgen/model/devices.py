@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
 from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
@@ -15,16 +16,16 @@ from .types import Function, Source
 class Port:
     name: str
     id: int | None
-    baud_rates: tuple[int, ...]
-    protocols: tuple[str, ...]
+    baud_rates: Detail[tuple[int, ...]]
+    protocols: Detail[tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
     name: str
-    value: float | int
-    unit: str | None
-    description: str
+    value: Detail[float | int]
+    unit: Detail[str | None]
+    description: Prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +33,9 @@ class Note:
     """A note about a device that is not a rate, a port or a limit, perhaps with a table."""
 
     name: str
-    title: str
-    description: str
-    rows: tuple[tuple[str, ...], ...] = ()  # the first row is the heading
+    title: Prose
+    description: Prose
+    rows: Detail[tuple[tuple[str, ...], ...]] = ()  # the first row is the heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +45,8 @@ class Support:
     field: Field
     set: int
     functions: tuple[Function, ...]
-    evidence: str | None = None  # why the device is believed to support it; None if that is certain
-    deprecated: str | None = None  # what to use instead on the device
+    evidence: Prose | None = None  # why the device is believed to support it; None if that is certain
+    deprecated: Prose | None = None  # what to use instead on the device
 
     @property
     def name(self) -> str:
@@ -68,7 +69,7 @@ class Rate:
     """How often a device samples the fields of a data set."""
 
     set: Set
-    hertz: float | int  # 0: sent as the data arise
+    hertz: Detail[float | int]  # 0: sent as the data arise
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,12 +90,12 @@ class DeviceVariant:
 class Device:
     id: str
     name: str
-    title: str
-    description: str
-    also: tuple[str, ...] = ()  # what others call it
+    title: Prose
+    description: Prose
+    also: tuple[Prose, ...] = ()  # what others call it
     model_number: int | None = None
     generation: int | None = None
-    manual: str | None = None
+    manual: Detail[str | None] = None
     sources: tuple[Source, ...] = ()
     like: str | None = None  # the device that it is like
     supports: tuple[Support, ...] = ()  # by set and descriptor, those that are not certain included
@@ -104,8 +105,8 @@ class Device:
     notes: tuple[Note, ...] = ()
     variants: tuple[DeviceVariant, ...] = ()
     ack_codes: tuple[int, ...] = ()
-    incomplete: tuple[str, ...] = ()  # what is not known; more may be supported than is listed
-    uncertain: tuple[str, ...] = ()
+    incomplete: tuple[Prose, ...] = ()  # what is not known; more may be supported than is listed
+    uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property

@@ -7,6 +7,7 @@ from typing import Literal
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
 from .devices import Device
 
 
@@ -16,24 +17,24 @@ class ExampleField:
 
     field: str | None  # full name, None for a descriptor that the specification does not know
     descriptor: int
-    data: bytes
-    values: dict[str, object] | None
+    data: Detail[bytes]
+    values: Detail[dict[str, object] | None]
     trailing: int
-    stated: dict[str, object] | None  # values that the manual states
+    stated: Detail[dict[str, object] | None]  # values that the manual states
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
     id: str
     manual: str
-    section: str
-    title: str
+    section: Prose
+    title: Prose
     role: Literal["command", "reply", "data", "field"]
-    string: str | None  # the copy-and-paste string of the manual, with its misprints
-    table: tuple[int | None, ...] | None  # as in a table of the manual; None for a byte that is left open
-    packet: bytes  # always the right bytes
+    string: Detail[str | None]  # the copy-and-paste string of the manual, with its misprints
+    table: Detail[tuple[int | None, ...] | None]  # as in a table of the manual; None for a byte that is left open
+    packet: Detail[bytes]  # always the right bytes
     fields: tuple[ExampleField, ...]
-    note: str
+    note: Prose
     device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
     synthetic: bool = False  # given by its parameters only, not as bytes
     position: Position | None = field(default=None, compare=False)
@@ -56,11 +57,11 @@ class Claim:
 class Erratum:
     id: str
     manual: str
-    section: str
+    section: Prose
     severity: Literal["wire", "meaning", "editorial"]
-    printed: str
-    right: str
-    reason: str
+    printed: Prose
+    right: Prose
+    reason: Prose
     claims: tuple[Claim, ...]
     position: Position | None = field(default=None, compare=False)
 
@@ -68,8 +69,8 @@ class Erratum:
 @dataclass(frozen=True, slots=True)
 class Manual:
     id: str
-    title: str
-    document: str
+    title: Prose
+    document: Prose
     lengths: Literal["wire", "scalars", "none"]  # how it counts field lengths
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
     kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers

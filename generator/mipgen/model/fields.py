@@ -9,6 +9,7 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
 from .operations import BitsOp, ConstantOp, CounterOp, Operation, ScalarOp
 from .parameters import Parameter
 from .types import Function, Source, Type
@@ -77,11 +78,11 @@ class Set:
     number: int
     name: str
     kind: Kind
-    title: str
-    description: str
+    title: Prose
+    description: Prose
     family: str
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -91,9 +92,9 @@ class Occurrence:
 
     set: int
     set_name: str
-    title: str
+    title: Prose
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -106,8 +107,8 @@ class Field:
     name: str
     descriptor: int
     role: Role
-    title: str
-    description: str
+    title: Prose
+    description: Prose
     parameters: tuple[Parameter, ...]
     operations: tuple[Operation, ...]
     min_size: int
@@ -122,14 +123,14 @@ class Field:
     sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
     silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
     everywhere: range | None = None  # the sets of a rule: every command set, every data set
-    max_rate: float | None = None
-    timeout: float | None = None
+    max_rate: Detail[float | None] = None
+    timeout: Detail[float | None] = None
     advanced: bool = False
-    deprecated: str | None = None
-    also: tuple[str, ...] = ()  # other names
-    keywords: tuple[str, ...] = ()  # words by which people look for it, and which it does not contain
-    notes: tuple[str, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    deprecated: Prose | None = None
+    also: tuple[Prose, ...] = ()  # other names
+    keywords: tuple[Prose, ...] = ()  # words by which people look for it, and which it does not contain
+    notes: tuple[Prose, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -219,7 +220,7 @@ class Named:
     descriptor: int
     role: Role
     name: str
-    title: str
+    title: Prose
     sources: tuple[Source, ...]
     position: Position | None = field(default=None, compare=False)
 
@@ -230,14 +231,14 @@ class Family:
 
     name: str
     kind: Kind
-    title: str
-    description: str
+    title: Prose
+    description: Prose
     sets: tuple[Set, ...]  # by number
     types: tuple[Type, ...]
     fields: tuple[Field, ...]  # by descriptor, commands before responses
     sources: tuple[Source, ...] = ()
     named: tuple[Named, ...] = ()  # by descriptor, commands before responses
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property

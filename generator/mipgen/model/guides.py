@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from .details import Prose
+
 if TYPE_CHECKING:
     from mipgen.read.position import Position
 
@@ -40,12 +42,12 @@ class Stream:
 class Step:
     """One command, why it is sent, and what comes back."""
 
-    why: str
+    why: Prose
     command: Field
     values: dict[str, Any]
     packet: bytes
     answer: bytes  # acknowledge, and response
-    host: str = ""  # what a program does then, without a command
+    host: Prose = ""  # what a program does then, without a command
     response: Shown | None = None
     data: tuple[Stream, ...] = ()
 
@@ -54,10 +56,10 @@ class Step:
 class Sequence:
     """Steps in their order, for certain devices."""
 
-    title: str
+    title: Prose
     devices: tuple[Device, ...]
     steps: tuple[Step, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Prose, ...] = ()
 
     @property
     def streams(self) -> tuple[Stream, ...]:
@@ -75,7 +77,7 @@ class Change:
 
     fields: tuple[Field, ...]
     by: tuple[Field, ...]
-    note: str
+    note: Prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,12 +92,12 @@ class Migration:
 @dataclass(frozen=True, slots=True)
 class Guide:
     name: str
-    title: str  # what somebody wants to do: "stream IMU data at 100 Hz"
-    question: str
-    answer: str
+    title: Prose  # what somebody wants to do: "stream IMU data at 100 Hz"
+    question: Prose
+    answer: Prose
     sequences: tuple[Sequence, ...]
-    before: tuple[str, ...] = ()  # what must be done or known first
-    notes: tuple[str, ...] = ()
+    before: tuple[Prose, ...] = ()  # what must be done or known first
+    notes: tuple[Prose, ...] = ()
     tables: tuple[str, ...] = ()  # facts of all devices that it shows: see TABLES
     migration: Migration | None = None
     see: tuple[str, ...] = ()  # names of guides and full names of fields

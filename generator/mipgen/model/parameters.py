@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Final, Literal
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
 from .types import Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Vector
 
 if TYPE_CHECKING:
@@ -38,24 +40,24 @@ class Variant:
     member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     elements: tuple[str, ...] = ()  # of a vector, in its frame
-    units: tuple[str, ...] = ()
-    frame: str | None = None
-    minimum: float | int | None = None
-    maximum: float | int | None = None
-    default: object = None
-    valid: tuple[str, ...] | None = None  # as of a parameter; empty: nothing says that it is valid
+    units: Detail[tuple[str, ...]] = ()
+    frame: Detail[str | None] = None
+    minimum: Detail[float | int | None] = None
+    maximum: Detail[float | int | None] = None
+    default: Detail[object] = None
+    valid: Detail[tuple[str, ...] | None] = None  # as of a parameter; empty: nothing says that it is valid
     constant: int | None = None  # it always has this value
     only: tuple[EnumValue | Bits, ...] = ()  # of the values or bits that its type names, those that there are
     deprecated: bool | None = None
     unknown: bool = False  # nobody knows what its values are
-    description: str = ""
+    description: Prose = ""
 
     @property
     def by_device(self) -> bool:
         return self.by == DEVICE
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)  # to compare all of it takes long; see `alike`
 class Parameter:
     """One named value of a field or a structure, in wire order.
 
@@ -67,22 +69,20 @@ class Parameter:
     element: Scalar | Enum | Bitfield | Vector | Struct | None  # None: a union
     length: int | str | None
     operation: ValueOp = field(compare=False)
-    description: str = ""
-    units: tuple[str, ...] = ()  # one for all elements, or one for each
+    description: Prose = ""
+    units: Detail[tuple[str, ...]] = ()  # one for all elements, or one for each
     any_unit: bool = False  # no unit can be named: another value decides it, or it is not known
-    frame: str | None = None
-    minimum: float | int | None = None
-    maximum: float | int | None = None
-    above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
-    below: float | int | None = None
-    magnitude: tuple[float | int | None, float | int | None] = (None, None)  # least and most length of a vector
-    default: object = None
-    typical: object = None  # a value that a user would send or see, in the form of the codec; of a structure, members
+    frame: Detail[str | None] = None
+    minimum: Detail[float | int | None] = None
+    maximum: Detail[float | int | None] = None
+    above: Detail[float | int | None] = None  # open bounds: the value is greater than `above`, less than `below`
+    below: Detail[float | int | None] = None
+    magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # least and most length of a vector
+    default: Detail[object] = None
+    typical: Detail[object] = None  # a value that a user would send or see, in the form of the codec; of a structure, members
     shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field
     fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
-    valid: tuple[
-        str, ...
-    ] = ()  # what says that it is valid: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
+    valid: Detail[tuple[str, ...]] = ()  # what says so: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may be received
@@ -94,9 +94,13 @@ class Parameter:
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
     deprecated: bool = False
-    notes: tuple[str, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    notes: tuple[Prose, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
+
+    def alike(self, other: Parameter) -> bool:
+        """Do they differ at most in their places?"""
+        return all(getattr(self, f.name) == getattr(other, f.name) for f in fields(self) if f.compare)
 
     @property
     def derived(self) -> bool:
@@ -107,3 +111,11 @@ class Parameter:
     def readings(self) -> tuple[Variant, ...]:
         """The variants that name its values or bits; those that name the ones of a member are not among them."""
         return tuple(v for v in self.variants if v.type is not None and not v.member)
+
+
+def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
+    """Have two unions the same alternatives?"""
+    return len(cases) == len(others) and all(
+        a.tag == b.tag and (a.parameter.alike(b.parameter) if a.parameter and b.parameter else a.parameter is b.parameter)
+        for a, b in zip(cases, others, strict=True)
+    )

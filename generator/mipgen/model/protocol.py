@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
 from .evidence import Manual
 from .fields import Field
 from .types import Enum, Function, Source
@@ -19,9 +20,9 @@ class Word:
     """An entry of a controlled vocabulary: a unit or a frame of reference."""
 
     symbol: str
-    title: str
-    description: str
-    plural: str = ""  # of a unit that is a word: what more than one are called
+    title: Prose
+    description: Prose
+    plural: Detail[str] = ""  # of a unit that is a word: what more than one are called
     numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
     elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
 
@@ -30,8 +31,8 @@ class Word:
 class Chapter:
     """Notes on the protocol for programmers, besides its fields."""
 
-    title: str
-    text: tuple[str, ...]  # sentences that belong together, each
+    title: Prose
+    text: tuple[Prose, ...]  # sentences that belong together, each
     sources: tuple[Source, ...]
 
 
@@ -40,8 +41,8 @@ class Clock:
     """A clock whose time packets have."""
 
     name: str
-    title: str
-    description: str
+    title: Prose
+    description: Prose
     epoch: str | None  # "1980-01-06"; without it, it starts with the device
     timestamps: tuple[str, ...]  # full names of the data fields that hold it
     position: Position | None = field(default=None, compare=False)
@@ -59,10 +60,10 @@ class Usage:
 @dataclass(frozen=True, slots=True)
 class Protocol:
     name: str
-    title: str  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
+    title: Prose  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
     package: str  # what libraries and packages are called: `mip` for `mip_parser_init`, `mip_protocol`
-    keywords: tuple[str, ...]  # by which people look for it
-    version: str
+    keywords: tuple[Prose, ...]  # by which people look for it
+    version: Detail[str]
     sync: tuple[int, int]
     max_payload: int
     functions: tuple[Function, ...]
@@ -75,4 +76,4 @@ class Protocol:
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
-    leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC
+    leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from .details import Detail, Prose
+
 if TYPE_CHECKING:
     from . import Field
 
@@ -18,17 +20,17 @@ class Quantity:
     """Something that the simulation knows, in one unit: a number, several, a text, or a list."""
 
     name: str
-    unit: str | None
+    unit: Detail[str | None]
     elements: int
-    description: str
-    typical: Any = None  # a typical value: a number, several, a text, or a list
+    description: Prose
+    typical: Detail[Any] = None  # a typical value: a number, several, a text, or a list
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
     name: str
     arguments: tuple[str, ...]
-    description: str
+    description: Prose
 
 
 @dataclass(frozen=True, slots=True)

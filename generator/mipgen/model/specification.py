@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any, TypeVar
+
+from mipgen.base.reads import Memo, kept
 
 from .devices import Device, Support
 from .evidence import Erratum, Example
@@ -35,26 +36,24 @@ class Model:
 
     def derived(self, make: Callable[[Model], Item]) -> Item:
         """What a class or a function makes of this model: once, and kept with it."""
-        if make not in self._derived:
-            self._derived[make] = make(self)
-        found: Item = self._derived[make]
-        return found
+        derived: Item = self._derived.get(make, make, self)
+        return derived
 
     def program(self, name: str) -> str:
         """The text of one of them; empty if the specification brings none of that name."""
         return dict(self.programs).get(name, "")
 
-    @cached_property
+    @kept
     def fields(self) -> tuple[Field, ...]:
         """Every field, without the acknowledge field."""
         return tuple(f for x in self.families for f in x.fields)
 
-    @cached_property
+    @kept
     def sets(self) -> tuple[Set, ...]:
         """Every descriptor set, by number."""
         return tuple(sorted((s for x in self.families for s in x.sets), key=lambda s: s.number))
 
-    @cached_property
+    @kept
     def all_types(self) -> tuple[Type, ...]:
         """Those of spec/types, then those of the families."""
         return (*self.types, *(t for x in self.families for t in x.types))
@@ -69,7 +68,7 @@ class Model:
         """A field by its full name, or by its name in one of its sets: "gnss_2.dop"."""
         return self._fields.get(full_name)
 
-    @cached_property
+    @kept
     def names(self) -> tuple[str, ...]:
         """The full names of all fields, and their names in each of their sets."""
         every = (name for f in self.fields for name in (f.full_name, *(f.name_in(o.set) for o in f.occurrences)))
@@ -159,41 +158,41 @@ class Model:
 
     # ----------------------------------------------------------------------- indexes
 
-    @cached_property
-    def _derived(self) -> dict[Callable[[Model], Any], Any]:
-        return {}
+    @kept
+    def _derived(self) -> Memo[Callable[[Model], Any], Any]:
+        return Memo()
 
-    @cached_property
+    @kept
     def _sets(self) -> dict[int, Set]:
         return {s.number: s for s in self.sets}
 
-    @cached_property
+    @kept
     def _fields(self) -> dict[str, Field]:
         every = (*self.fields, self.protocol.acknowledge)
         return {f.name_in(o.set): f for f in every for o in f.occurrences} | {f.full_name: f for f in every}
 
-    @cached_property
+    @kept
     def _families(self) -> dict[str, Family]:
         return {x.name: x for x in self.families}
 
-    @cached_property
+    @kept
     def _types(self) -> dict[str, Type]:
         own = {f"{x.name}.{t.name}": t for x in self.families for t in x.types}
         return {**own, **{t.name: t for t in self.types}}
 
-    @cached_property
+    @kept
     def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:
         return _grouped(((o.set, f.descriptor), f) for f in self.fields for o in f.occurrences)
 
-    @cached_property
+    @kept
     def _everywhere(self) -> dict[int, tuple[Field, ...]]:
         return _grouped((f.descriptor, f) for f in (*self.fields, self.protocol.acknowledge) if f.everywhere)
 
-    @cached_property
+    @kept
     def _commands(self) -> dict[str, tuple[Field, ...]]:
         return _grouped((f"{f.family}.{name}", f) for f in self.fields for name in f.responses)
 
-    @cached_property
+    @kept
     def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
         return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Literal
 
 from mipgen.read.position import Position
 
+from .details import Detail, Prose
+
 if TYPE_CHECKING:
     from .operations import ValueOp
     from .parameters import Parameter
@@ -18,8 +20,8 @@ class Source:
     """The place in a manual that states a fact, and the field length printed there."""
 
     manual: str
-    section: str
-    length: str | None = None  # "14", "4 + 3*count", or None if the manual gives none
+    section: Prose
+    length: Detail[str | None] = None  # "14", "4 + 3*count", or None if the manual gives none
     position: Position | None = field(default=None, compare=False)
 
 
@@ -49,9 +51,9 @@ SCALARS: dict[str, Scalar] = {
 class EnumValue:
     name: str
     value: int
-    description: str
+    description: Prose
     deprecated: bool = False
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -63,10 +65,10 @@ class Enum:
     name: str
     scalar: Scalar
     values: tuple[EnumValue, ...]
-    description: str
+    description: Prose
     owner: str | None  # the set that defines it, None if it is defined in spec/types
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     kind: Literal["enum"] = "enum"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -82,10 +84,10 @@ class Bits:
     name: str
     first: int
     last: int
-    description: str
+    description: Prose
     alias: bool  # intentionally overlaps other bits
     enum: Enum | None = None
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -106,10 +108,10 @@ class Bitfield:
     scalar: Scalar | None  # None: a byte array
     size: int
     bits: tuple[Bits, ...]
-    description: str
+    description: Prose
     owner: str | None
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     kind: Literal["bitfield"] = "bitfield"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -129,8 +131,8 @@ class Vector:
     name: str
     scalar: Scalar
     elements: tuple[str, ...]
-    description: str
-    uncertain: tuple[str, ...] = ()
+    description: Prose
+    uncertain: tuple[Prose, ...] = ()
     kind: Literal["vector"] = "vector"
 
 
@@ -143,10 +145,10 @@ class Struct:
     operations: tuple[ValueOp, ...]
     min_size: int
     max_size: int
-    description: str
+    description: Prose
     owner: str | None
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[str, ...] = ()
+    uncertain: tuple[Prose, ...] = ()
     kind: Literal["struct"] = "struct"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -170,7 +172,7 @@ class Function:
     responds: bool  # True: a response with the current setting follows the acknowledge
     sets: bool  # True: it gives new values, so it may carry optional parameters
     like: str | None  # the function whose parameters it requires
-    description: str
+    description: Prose
 
 
 def letters(functions: Iterable[Function]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import pickle
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -59,28 +60,41 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
 
 
 def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
-    """The files of one folder, perhaps an overlay. Files that were found valid before are not checked again."""
-    documents, judged = [], {}
+    """The files of one folder, perhaps an overlay. Those that were found valid before are not read again."""
+    documents, valid = [], {}
     for kind, pattern in layout.items():
         for path in _visible(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
-            root = read(path, shown(path), problems)
-            if root is None:
-                continue
-            of = _schema(kind, root, over)
-            seen = cache.key(fingerprint.program(), of, str(over), path.read_bytes())
-            if cache.get("valid", seen) is None:
+            known = _key(path, kind, over)
+            data = cache.get("nodes", known) if known else None
+            if data is not None:
+                of, root = pickle.loads(data)
+            else:
+                root = read(path, shown(path), problems)
+                if root is None:
+                    continue
+                of = _schema(kind, root, over)
+                before = len(problems)
                 if not _valid(_validators(over)[of], root, "the file", problems):
                     continue
-                judged[seen] = b""
+                if known and len(problems) == before:
+                    valid[known] = pickle.dumps((of, root), 5)
             if of == DEVICES:
                 parts = ((one, entry) for one, many in PARTS.items() for entry in root.get(many) or ())
                 documents += [Document(one, name, entry) for one, entry in parts]
             else:
                 documents.append(Document(of, name, root))
-    cache.put("valid", judged)
+    cache.put("nodes", valid)
     _strays(folder, layout, problems)
     return documents
+
+
+def _key(path: Path, kind: str, over: bool) -> str:
+    """Of what is read from a file: its nodes name the file as a user would. Empty if it cannot be read."""
+    try:
+        return cache.key(fingerprint.program(), kind, str(over), shown(path), path.read_bytes())
+    except OSError:
+        return ""
 
 
 def _schema(kind: str, root: Node, over: bool) -> str:

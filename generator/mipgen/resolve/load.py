@@ -9,6 +9,7 @@ from pathlib import Path
 
 from mipgen import model as m
 from mipgen.facts import references
+from mipgen.model import details
 from mipgen.read import loader
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
@@ -27,10 +28,12 @@ def load_model(spec: Path, *overlays: Path) -> m.Model:
     collecting = gc.isenabled()
     gc.disable()  # nothing of a model is garbage; looking for it takes a quarter of the time
     try:
-        return _loaded(spec, overlays)
+        model = _loaded(spec, overlays)
     finally:
         if collecting:
             gc.enable()
+    details.watch(m.Model)
+    return model
 
 
 def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import package
@@ -11,7 +12,7 @@ from mipgen.targets.json import api as json
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield File("model.mjs", "model.mjs.j2", {"text": json.text(model)})
+    yield File("model.mjs", "model.mjs.j2")
     yield File("package.json", "package.json.j2")
     quickstart = model.program("quickstart.mjs")
     if quickstart:
@@ -19,9 +20,14 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("README.md", "README.md.j2", {"quickstart": quickstart.rstrip()})
 
 
+def filters(_: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {"document": json.text}
+
+
 TARGET = Target(
     title="JavaScript modules without dependencies",
     files=files,
+    filters=filters,
     identifiers=json.identifiers,  # fields and types are found by the names that they have in JSON
     rename=package.in_source,
     conformance=("parse", "decode", "encode"),

@@ -14,7 +14,7 @@ from . import document, names
 
 
 def files(model: m.Model) -> Iterator[File]:
-    yield File("mip.json", "mip.json.j2", {"text": document.text(model)})
+    yield File("mip.json", "mip.json.j2")
     yield File("README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model)})
 
 
@@ -35,7 +35,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {"lines": lambda f: document.lines(f, model.derived(SampleValues))}
+    return {"document": document.text, "lines": lambda f: document.lines(f, model.derived(SampleValues))}
 
 
 TARGET = Target(

@@ -6,7 +6,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
+from mipgen.base.reads import Memo
 from mipgen.lower import calls, extent, presence
+from mipgen.model.parameters import alike
 
 from .names import (
     Record,
@@ -123,7 +125,7 @@ class Records:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.unions: list[Union] = []
-        self._members: dict[int, list[Member]] = {}  # those of a record, by its identity
+        self._members: Memo[int, list[Member]] = Memo()  # those of a record, by its identity
         for record in self.all():
             for p in record.parameters:
                 if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
@@ -149,7 +151,7 @@ class Records:
 
     def _union(self, op: m.SwitchOp, here: str) -> Union | None:
         same = (u for u in self.unions if home(u.record) == here and u.operation.tag_type == op.tag_type)
-        return next((u for u in same if u.operation.cases == op.cases), None)
+        return next((u for u in same if alike(u.operation.cases, op.cases)), None)
 
     def rust(self, op: m.Operation, here: str) -> str:
         """The type of what an operation reads."""
@@ -174,10 +176,7 @@ class Records:
     # ------------------------------------------------------------------ members
 
     def members(self, record: Record) -> list[Member]:
-        found = self._members.get(id(record))
-        if found is None:
-            found = self._members[id(record)] = self._made(record)
-        return found
+        return self._members.get(id(record), self._made, record)
 
     def _made(self, record: Record) -> list[Member]:
         absent = presence.last(record)

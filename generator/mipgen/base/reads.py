@@ -1,0 +1,90 @@
+"""What is read while something is made, so that it need not be made again unless that has changed.
+
+Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with what
+was read for it: whoever uses the result has read that too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable
+from typing import Any, Generic, TypeVar, overload
+
+Key = TypeVar("Key", bound=Hashable)
+Value = TypeVar("Value")
+
+#: An attribute of an object: the identity of the object, which must live as long as what was read, and its name.
+Read = tuple[int, str]
+
+_log: set[Read] = set()
+
+
+def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozenset[Read]]:
+    """A result, and what was read to make it."""
+    global _log
+    outer, _log = _log, set()
+    try:
+        value = make(*arguments)
+    finally:
+        inner, _log = _log, outer
+        outer |= inner
+    return value, frozenset(inner)
+
+
+def watch(cls: type, names: Iterable[str]) -> None:
+    """From now on, attributes of these names are watched; the class may have slots or not."""
+    for name in names:
+        setattr(cls, name, _Watched(name, cls.__dict__.get(name) if hasattr(cls, "__slots__") else None))
+
+
+class _Watched:
+    def __init__(self, name: str, slot: Any) -> None:
+        self.name = name
+        self.slot = slot
+
+    def __get__(self, owner: Any, cls: type | None = None) -> Any:
+        if owner is None:
+            return self
+        _log.add((id(owner), self.name))
+        return owner.__dict__[self.name] if self.slot is None else self.slot.__get__(owner)
+
+    def __set__(self, owner: Any, value: Any) -> None:
+        if self.slot is None:
+            owner.__dict__[self.name] = value
+        else:
+            self.slot.__set__(owner, value)
+
+
+class Memo(Generic[Key, Value]):
+    """Results by key, each made once."""
+
+    def __init__(self) -> None:
+        self._known: dict[Key, tuple[Value, frozenset[Read]]] = {}
+
+    def get(self, key: Key, make: Callable[..., Value], *arguments: Any) -> Value:
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = during(make, *arguments)
+        _log.update(known[1])
+        return known[0]
+
+
+class kept(Generic[Value]):  # noqa: N801 (a decorator, like property)
+    """A property that is computed once, as with functools.cached_property; the object must have a `__dict__`."""
+
+    def __init__(self, make: Callable[[Any], Value]) -> None:
+        self.make = make
+        self.__doc__ = make.__doc__
+        self.key = f"{make.__name__} and what was read for it"
+
+    @overload
+    def __get__(self, owner: None, cls: type) -> kept[Value]: ...
+    @overload
+    def __get__(self, owner: object, cls: type) -> Value: ...
+    def __get__(self, owner: Any, cls: Any = None) -> Any:
+        if owner is None:
+            return self
+        known = owner.__dict__.get(self.key)
+        if known is None:
+            known = owner.__dict__[self.key] = during(self.make, owner)
+        _log.update(known[1])
+        return known[0]

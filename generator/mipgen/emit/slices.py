@@ -1,0 +1,213 @@
+"""Which files of an earlier run are still right, because nothing has changed that was read to make them.
+
+While something is made, `base.reads` notes which parts of the model, and which details of its objects, are read. The
+next run finds the same objects by their place in a walk over the model, as long as that part of the model has the same
+shape: all that it holds but details. Nothing is declared by hand, and a file is right only with the bytes that it was
+left with.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import pickle
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from operator import attrgetter
+from pathlib import Path
+from typing import Any, TypeVar
+
+from mipgen import model as m
+from mipgen.base import cache, fingerprint, reads
+from mipgen.base.reads import Read
+from mipgen.model import details
+
+Value = TypeVar("Value")
+
+#: A part of the model, the place of an object in the walk over it, and a detail. Of the part itself: -1, "".
+Address = tuple[str, int, str]
+
+#: What is made besides files: that no name is wrong, and the list of the files. No file has such a path.
+NAMES = "/names"
+PLAN = "/plan"
+
+
+#: The details of the objects of a class.
+_NAMES = {cls: details.names(cls) for cls in details.CLASSES}
+_GETTERS = {cls: attrgetter(*names) for cls, names in _NAMES.items() if names}
+
+
+class Part:
+    """A part of the model: its shape, and the objects that have details, in the order of the walk."""
+
+    def __init__(self) -> None:
+        self.shape = ""
+        self.objects: list[Any] = []
+        self.details: list[tuple[Any, ...]] = []
+
+
+def _details(thing: Any) -> tuple[Any, ...]:
+    """The details of an object, so that equal ones are of the same kind."""
+    found = _GETTERS[type(thing)](thing)
+    return tuple(map(_plain, found if len(_NAMES[type(thing)]) > 1 else (found,)))
+
+
+def _plain(value: Any) -> Any:
+    """Of a position the file, because no output holds lines; numbers as text, because 1 and 1.0 are equal."""
+    kind = value.__class__
+    return value if kind is str or value is None else value.file if kind is m.Position else (repr(value),)
+
+
+class Slices:
+    """What the targets made of a specification last time, in a folder, with these options."""
+
+    def __init__(self, model: m.Model, out: Path, options: str) -> None:
+        self.model = model
+        self.out = out
+        self.key = cache.key(fingerprint.program(), str(out.absolute()), options)
+        self.places: dict[int, tuple[str, int]] = {}
+        self.parts: dict[str, Part] = {}
+        reducers = {cls: self._reducer(cls) for cls in details.CLASSES}
+        for name in (f.name for f in fields(model)):
+            self.parts[name] = part = Part()
+            written = io.BytesIO()
+            pickler = pickle.Pickler(written, 5)
+            pickler.dispatch_table = reducers  # type: ignore[attr-defined]
+            pickler.dump(getattr(model, name))
+            part.shape = hashlib.sha256(written.getbuffer()).hexdigest()
+        self._state = pickle.dumps({name: (part.shape, part.details) for name, part in self.parts.items()}, 5)
+        self.now = _digest(self._state)
+        before = cache.get("slices", self.key)
+        self.before = _digest(before) if before is not None else b""
+        #: The addresses that have changed; of a part with another shape, only that of the part.
+        self.changed = self._changed(pickle.loads(before)) if before is not None else set()
+
+    def _reducer(self, cls: type) -> Callable[[Any], tuple[Any, ...]]:
+        """How an object becomes a piece of the shape. One that an earlier part holds is there by its name."""
+        has_details = bool(_NAMES[cls])
+        contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in _NAMES[cls]))
+
+        def reduce(thing: Any) -> tuple[Any, ...]:
+            here = next(reversed(self.parts))
+            part = self.parts[here]
+            home, _ = self.places.setdefault(id(thing), (here, len(part.objects)))
+            if home != here:
+                return str, (f"{cls.__name__} {getattr(thing, 'full_name', getattr(thing, 'name', ''))}",)
+            if has_details:
+                part.objects.append(thing)
+                part.details.append(_details(thing))
+            return tuple, ((contents(thing),),)
+
+        return reduce
+
+    def _changed(self, before: dict[str, tuple[str, list[tuple[Any, ...]]]]) -> set[Address]:
+        changed: set[Address] = set()
+        for name, part in self.parts.items():
+            shape, old = before[name]
+            if shape != part.shape:
+                changed.add((name, -1, ""))
+                continue
+            for place, (was, now) in enumerate(zip(old, part.details, strict=True)):
+                if was != now:
+                    names = _NAMES[type(part.objects[place])]
+                    changed |= {(name, place, names[i]) for i in range(len(names)) if was[i] != now[i]}
+        return changed
+
+    def address(self, read: Read) -> Address | None:
+        """Where to find it again; None if its object is not of the model, but made of what is."""
+        owner, name = read
+        if owner == id(self.model):
+            return name, -1, ""
+        return (*self.places[owner], name) if owner in self.places else None
+
+    def of(self, target: str) -> Anew:
+        return Slice(self, target)
+
+    def keep(self) -> None:
+        """For the next run, once all targets have kept what they made."""
+        cache.put("slices", {self.key: self._state})
+
+
+class Anew:
+    """What one target makes, if nothing is known of an earlier run."""
+
+    def unchanged(self, what: str) -> bool:
+        """Was it made last time, of the same?"""
+        return False
+
+    def right(self, path: str) -> bytes | None:
+        """A file of last time, if it would be the same now."""
+        return None
+
+    def all_right(self) -> dict[str, bytes] | None:
+        """All files of last time, if all would be the same now."""
+        return None
+
+    def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
+        """Makes it anew, and notes what is read."""
+        return how(*arguments)
+
+    def keep(self, files: Mapping[str, bytes]) -> None:
+        """For the next run."""
+
+
+class Slice(Anew):
+    """What one target made last time, and makes now."""
+
+    def __init__(self, slices: Slices, target: str) -> None:
+        self.slices = slices
+        self.folder = slices.out / target
+        self.key = cache.key(slices.key, target)
+        self.digests: dict[str, bytes] = {}  # of what was made last time; of files
+        self.readers: dict[Address, frozenset[str]] = {}  # what was made of it
+        self.read: dict[str, set[Address]] = {}  # what is made now
+        data = cache.get("slices", self.key)
+        if data is not None:
+            of, digests, readers = pickle.loads(data)
+            if of == slices.before:
+                self.digests, self.readers = digests, readers
+        parts = {part for part, place, _ in slices.changed if place < 0}
+        affected = [what for a, what in self.readers.items() if a[0] in parts] if parts else []
+        affected += [self.readers[a] for a in slices.changed if a in self.readers]
+        self.stale = frozenset[str]().union(*affected)
+
+    def unchanged(self, what: str) -> bool:
+        return what in self.digests and what not in self.stale
+
+    def right(self, path: str) -> bytes | None:
+        if not (self.unchanged(path) and self.unchanged(PLAN)):
+            return None
+        try:
+            data = (self.folder / path).read_bytes()
+        except OSError:
+            return None
+        return data if _digest(data) == self.digests[path] else None
+
+    def all_right(self) -> dict[str, bytes] | None:
+        files: dict[str, bytes] = {}
+        for path in self.digests.keys() - {NAMES, PLAN}:
+            data = self.right(path)
+            if data is None:
+                return None
+            files[path] = data
+        return files or None
+
+    def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
+        made, read = reads.during(how, *arguments)
+        self.read[what] = {a for a in map(self.slices.address, read) if a is not None}
+        return made
+
+    def keep(self, files: Mapping[str, bytes]) -> None:
+        digests = {NAMES: b"", PLAN: b"", **{path: _digest(data) for path, data in files.items()}}
+        again = self.read.keys() | (self.digests.keys() - digests.keys())
+        readers = {a: what - again for a, what in self.readers.items()}
+        for what, read in self.read.items():
+            for a in read:
+                readers[a] = readers.get(a, frozenset()) | {what}
+        same: dict[frozenset[str], frozenset[str]] = {}  # one object for equal ones, which makes them small to store
+        readers = {a: same.setdefault(what, what) for a, what in readers.items() if what}
+        cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, readers), 5)})
+
+
+def _digest(data: bytes) -> bytes:
+    return hashlib.sha256(data).digest()

@@ -1,0 +1,51 @@
+"""Attributes that may change while a specification keeps its shape: texts, units, limits, and where things are stated.
+
+What is read of them is noted (`base.reads`), so that a changed description makes only those files again that show it.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import fields, is_dataclass
+from functools import cache
+from types import ModuleType
+from typing import Annotated, TypeVar
+
+from mipgen.base import reads
+
+Value = TypeVar("Value")
+
+#: An attribute with a plain value, from which `resolve` derives nothing but other such attributes, and numbers.
+Detail = Annotated[Value, "detail"]
+
+#: A text for readers, with names in backticks.
+Prose = str
+
+_DETAIL = re.compile(r"\b(Detail|Prose|Position)\b")
+
+
+def names(cls: type) -> list[str]:
+    """The details of a class of the model."""
+    return [f.name for f in fields(cls) if _DETAIL.search(str(f.type))]
+
+
+#: The classes of the model, without the model itself.
+CLASSES: list[type] = []
+
+
+def classes(*modules: ModuleType) -> list[type]:
+    """The classes that modules define."""
+    return [
+        cls
+        for module in modules
+        for cls in vars(module).values()
+        if isinstance(cls, type) and is_dataclass(cls) and cls.__module__ == module.__name__
+    ]
+
+
+@cache
+def watch(model: type) -> None:
+    """Reads of details, and of the parts of a model, are noted from now on. Not before: it makes loading slower."""
+    for cls in CLASSES:
+        reads.watch(cls, names(cls))
+    reads.watch(model, [part.name for part in fields(model)])
