@@ -57,12 +57,13 @@ class Claim:
 class Erratum:
     id: str
     manual: str
-    section: Prose
+    section: str
     severity: Literal["wire", "meaning", "editorial"]
     printed: Prose
     right: Prose
     reason: Prose
     claims: tuple[Claim, ...]
+    named: tuple[str, ...] = ()  # what the texts name in backticks: fields, and other words
     position: Position | None = field(default=None, compare=False)
 
 

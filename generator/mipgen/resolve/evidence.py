@@ -19,6 +19,8 @@ from . import meaning
 #: Bytes as in the manual; None for a byte that it leaves open.
 Octets = tuple[int | None, ...]
 
+_CODE = re.compile(r"`([^`]+)`")
+
 #: The role of a packet by the role of its fields.
 ROLES = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
 
@@ -341,6 +343,7 @@ def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Pro
                 right=node["right"].value,
                 reason=node["reason"].value,
                 claims=_claims(node),
+                named=tuple(dict.fromkeys(_CODE.findall(f"{node['right'].value}\n{node['reason'].value}"))),
                 position=node["id"].position,
             )
     return tuple(sorted(found.values(), key=lambda e: e.id))

@@ -32,6 +32,7 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Device: ("variants",),  # each is with its parameter
     m.Support: ("set", "functions"),
     simulation.Source: ("set",),
+    m.Erratum: ("named",),  # in its texts
     m.Variant: ("only",),
     guides.Shown: ("data",),  # in the packet
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from typing import TypeVar
@@ -11,8 +10,6 @@ from mipgen import model as m
 from mipgen.base.reads import kept
 from mipgen.facts.sample_values import SampleValues
 from mipgen.model.guides import Guide
-
-_CODE = re.compile(r"`([^`]+)`")
 
 Key = TypeVar("Key", bound=Hashable)
 Item = TypeVar("Item")
@@ -73,7 +70,7 @@ class Index:
     @kept
     def _naming(self) -> dict[str, list[m.Erratum]]:
         """The errata whose texts name a field, be they in its section or not."""
-        pairs = [(name, e) for e in self.model.errata for text in (e.right, e.reason) for name in _CODE.findall(text)]
+        pairs = [(name, e) for e in self.model.errata for name in e.named]
         return _grouped((f.full_name, e) for name, e in pairs if (f := self.model.field(name)) is not None)
 
     @kept
