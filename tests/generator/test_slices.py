@@ -180,7 +180,10 @@ reads.watch(Slotted, ["name"])
 def test_reads_are_noted() -> None:
     thing, other = Thing("a"), Slotted()
     other.name, other.other = "b", "c"
-    assert reads.during(lambda: thing.name + other.name + other.other) == ("abc", {(id(thing), "name"), (id(other), "name")})
+    assert reads.during(lambda: thing.name + other.name + other.other) == (
+        "abc",
+        {(id(thing), "name"), (id(other), "name")},
+    )
     assert reads.during(lambda: other.other) == ("c", set())
     inner: list[frozenset[reads.Read]] = []
     _, outer = reads.during(lambda: (thing.name, inner.append(reads.during(lambda: other.name)[1])))
@@ -206,4 +209,9 @@ def test_a_failure_ends_what_is_noted() -> None:
 
 def test_without_an_earlier_run_everything_is_made() -> None:
     past = Anew()
-    assert (past.unchanged(NAMES), past.right("a"), past.all_right(), past.make("a", str, 1)) == (False, None, None, "1")
+    assert (past.unchanged(NAMES), past.right("a"), past.all_right(), past.make("a", str, 1)) == (
+        False,
+        None,
+        None,
+        "1",
+    )

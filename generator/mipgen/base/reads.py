@@ -1,7 +1,7 @@
 """What is read while something is made, so that it need not be made again unless that has changed.
 
-Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with what
-was read for it: whoever uses the result has read that too.
+Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with
+what was read for it: whoever uses the result has read that too.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Memo(Generic[Key, Value]):
         return known[0]
 
 
-class kept(Generic[Value]):  # noqa: N801 (a decorator, like property)
+class kept(Generic[Value]):
     """A property that is computed once, as with functools.cached_property; the object must have a `__dict__`."""
 
     def __init__(self, make: Callable[[Any], Value]) -> None:

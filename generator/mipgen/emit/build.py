@@ -34,6 +34,9 @@ def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) 
     """The output of each target, each made in its own process; then those of plugins, which run beside this one.
     With slices, what is right since the last run is not made again."""
 
+    def several(group: Sequence[Source]) -> list[Output]:
+        return [one(source) for source in group]
+
     def one(source: Source) -> Output:
         past = slices.of(source.name) if slices and source.ours else Anew()
         problems = [] if past.unchanged(NAMES) else past.make(NAMES, _unfit, model, source)
@@ -45,8 +48,10 @@ def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) 
     from . import templating  # noqa: F401 (Jinja and targets are imported once, and not in each process)
 
     ours = [source for source in sources if source.program is None]
-    first = sorted(ours, key=lambda source: not source.load().slow)
-    made = {output.name: output for output in parallel.each(one, first)}
+    groups: dict[str, list[Source]] = {}
+    for source in sorted(ours, key=lambda source: not source.load().slow):
+        groups.setdefault(source.load().beside or source.name, []).append(source)
+    made = {output.name: output for outputs in parallel.each(several, list(groups.values())) for output in outputs}
     _raise([found for output in made.values() for found in output.problems])
     if len(ours) < len(sources):
         from . import plugins

@@ -24,23 +24,27 @@ from mipgen.model import details
 
 Value = TypeVar("Value")
 
-#: A part of the model, the place of an object in the walk over it, and a detail. Of the part itself: -1, "".
-Address = tuple[str, int, str]
+#: A number made of a part of the model, the place of an object in the walk over it, and a detail.
+Address = int
+_PART, _PLACE = 32, 6  # how far the first two are shifted
+_WHOLE = (1 << _PART) - 1  # in place of object and detail: the shape of the part
 
 #: What is made besides files: that no name is wrong, and the list of the files. No file has such a path.
 NAMES = "/names"
 PLAN = "/plan"
 
 
-#: The details of the objects of a class.
+#: The details of the objects of a class, and the number of each.
 _NAMES = {cls: details.names(cls) for cls in details.CLASSES}
+_NUMBERS = {name: i for i, name in enumerate(sorted({name for names in _NAMES.values() for name in names}))}
 _GETTERS = {cls: attrgetter(*names) for cls, names in _NAMES.items() if names}
 
 
 class Part:
     """A part of the model: its shape, and the objects that have details, in the order of the walk."""
 
-    def __init__(self) -> None:
+    def __init__(self, number: int) -> None:
+        self.number = number
         self.shape = ""
         self.objects: list[Any] = []
         self.details: list[tuple[Any, ...]] = []
@@ -65,14 +69,14 @@ class Slices:
         self.model = model
         self.out = out
         self.key = cache.key(fingerprint.program(), str(out.absolute()), options)
-        self.places: dict[int, tuple[str, int]] = {}
+        self.places: dict[int, Address] = {}  # of an object, by its identity
         self.parts: dict[str, Part] = {}
         reducers = {cls: self._reducer(cls) for cls in details.CLASSES}
         for name in (f.name for f in fields(model)):
-            self.parts[name] = part = Part()
+            self.parts[name] = self.part = part = Part(len(self.parts))
             written = io.BytesIO()
             pickler = pickle.Pickler(written, 5)
-            pickler.dispatch_table = reducers  # type: ignore[attr-defined]
+            pickler.dispatch_table = reducers
             pickler.dump(getattr(model, name))
             part.shape = hashlib.sha256(written.getbuffer()).hexdigest()
         self._state = pickle.dumps({name: (part.shape, part.details) for name, part in self.parts.items()}, 5)
@@ -88,10 +92,9 @@ class Slices:
         contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in _NAMES[cls]))
 
         def reduce(thing: Any) -> tuple[Any, ...]:
-            here = next(reversed(self.parts))
-            part = self.parts[here]
-            home, _ = self.places.setdefault(id(thing), (here, len(part.objects)))
-            if home != here:
+            part = self.part
+            place = self.places.setdefault(id(thing), part.number << _PART | len(part.objects) << _PLACE)
+            if place >> _PART != part.number:
                 return str, (f"{cls.__name__} {getattr(thing, 'full_name', getattr(thing, 'name', ''))}",)
             if has_details:
                 part.objects.append(thing)
@@ -105,20 +108,22 @@ class Slices:
         for name, part in self.parts.items():
             shape, old = before[name]
             if shape != part.shape:
-                changed.add((name, -1, ""))
+                changed.add(part.number << _PART | _WHOLE)
                 continue
             for place, (was, now) in enumerate(zip(old, part.details, strict=True)):
                 if was != now:
+                    base = part.number << _PART | place << _PLACE
                     names = _NAMES[type(part.objects[place])]
-                    changed |= {(name, place, names[i]) for i in range(len(names)) if was[i] != now[i]}
+                    changed |= {base | _NUMBERS[name] for name, a, b in zip(names, was, now, strict=True) if a != b}
         return changed
 
     def address(self, read: Read) -> Address | None:
         """Where to find it again; None if its object is not of the model, but made of what is."""
         owner, name = read
         if owner == id(self.model):
-            return name, -1, ""
-        return (*self.places[owner], name) if owner in self.places else None
+            return self.parts[name].number << _PART | _WHOLE
+        place = self.places.get(owner)
+        return None if place is None else place | _NUMBERS[name]
 
     def of(self, target: str) -> Anew:
         return Slice(self, target)
@@ -166,8 +171,8 @@ class Slice(Anew):
             of, digests, readers = pickle.loads(data)
             if of == slices.before:
                 self.digests, self.readers = digests, readers
-        parts = {part for part, place, _ in slices.changed if place < 0}
-        affected = [what for a, what in self.readers.items() if a[0] in parts] if parts else []
+        parts = {a >> _PART for a in slices.changed if a & _WHOLE == _WHOLE}
+        affected = [what for a, what in self.readers.items() if a >> _PART in parts] if parts else []
         affected += [self.readers[a] for a in slices.changed if a in self.readers]
         self.stale = frozenset[str]().union(*affected)
 

@@ -61,6 +61,8 @@ class Target:
     rename: Callable[[str, str], str] | None = None
     #: Does it take longer than most? Then it is begun first.
     slow: bool = False
+    #: Another target, which is made in the same process, because both derive the same from the model.
+    beside: str = ""
     #: The operations that its conformance driver offers; empty if it has no driver.
     conformance: tuple[str, ...] = ()
     #: What the driver needs besides Python, a C compiler and cargo, in few words; then `make test-all` tests it.
@@ -117,6 +119,7 @@ _RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
     "formatter": (_optional(Formatter), "a Formatter, such as mipgen.emit.formatting.RUFF"),
     "rename": (lambda value: value is None or callable(value), "a function such as mipgen.emit.package.in_source"),
     "slow": (lambda value: isinstance(value, bool), "True or False"),
+    "beside": (_text, "text: the name of another target"),
     "conformance": (_operations, f"a tuple of {', '.join(map(repr, OPERATIONS))}"),
     "needs": (_text, "text: the tools of the driver, in few words"),
     "program": (_text, "text: the name of a program that runs the driver"),

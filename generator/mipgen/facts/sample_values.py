@@ -80,11 +80,7 @@ class SampleValues:
             return {}
         same = {p.name: p for p in command.counted if p.constant is None}
         values = self.values(command, command.calls[0])
-        found = {
-            p.name: values[p.name]
-            for p in f.parameters
-            if p.name in values and _same_form(p, same[p.name])
-        }
+        found = {p.name: values[p.name] for p in f.parameters if p.name in values and _same_form(p, same[p.name])}
         return found | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
 
     def _simulated(self, f: m.Field) -> codec.Values:

@@ -10,7 +10,18 @@ Guides and the simulation are read from their own modules.
 
 from mipgen.read.position import Position
 
-from . import details, devices, evidence, fields, guides, operations, parameters, protocol, simulation, specification, types
+from . import (
+    details,
+    devices,
+    evidence,
+    fields,
+    guides,
+    operations,
+    parameters,
+    protocol,
+    simulation,
+    types,
+)
 from .devices import Device, DeviceVariant, Limit, Note, Port, Rate, Support
 from .evidence import Claim, Erratum, Example, ExampleField, Manual
 from .fields import (
@@ -122,4 +133,5 @@ __all__ = [
     "letters",
 ]
 
-details.CLASSES += details.classes(devices, evidence, fields, guides, operations, parameters, protocol, simulation, types)
+_MODULES = (devices, evidence, fields, guides, operations, parameters, protocol, simulation, types)
+details.CLASSES += details.classes(*_MODULES)

@@ -79,7 +79,7 @@ class Parameter:
     below: Detail[float | int | None] = None
     magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # least and most length of a vector
     default: Detail[object] = None
-    typical: Detail[object] = None  # a value that a user would send or see, in the form of the codec; of a structure, members
+    typical: Detail[object] = None  # what a user would send or see, in the form of the codec; of a structure, members
     shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field
     fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
     valid: Detail[tuple[str, ...]] = ()  # what says so: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
@@ -116,6 +116,7 @@ class Parameter:
 def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
     """Have two unions the same alternatives?"""
     return len(cases) == len(others) and all(
-        a.tag == b.tag and (a.parameter.alike(b.parameter) if a.parameter and b.parameter else a.parameter is b.parameter)
+        a.tag == b.tag
+        and (a.parameter.alike(b.parameter) if a.parameter and b.parameter else a.parameter is b.parameter)
         for a, b in zip(cases, others, strict=True)
     )

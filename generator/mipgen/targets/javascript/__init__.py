@@ -30,6 +30,7 @@ TARGET = Target(
     filters=filters,
     identifiers=json.identifiers,  # fields and types are found by the names that they have in JSON
     rename=package.in_source,
+    beside="json",
     conformance=("parse", "decode", "encode"),
     program="node",
 )
