@@ -551,7 +551,7 @@ def test_reflection(spec: str) -> None:
 
 def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
     e = p.element
-    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.operation.kind)
+    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.kind)
     assert (row.length, row.constant, row.units) == (p.length, p.constant, p.units)
     assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
     assert row.elements == (e.elements if isinstance(e, m.Vector) else ())

@@ -54,8 +54,8 @@ def objects(package: Package, f: m.Field, chance: random.Random, count: int = 6)
             data[:] = bytes([7]) * len(data)  # a constant
         elif chance.random() < 0.5:
             data[:8] = bytes(x % 4 for x in data[:8])  # enumerations and counters
-        for at, size, value in f.signature:
-            data[at : at + size] = value.to_bytes(size, "big")
+        for at, constant in f.signature:
+            data[at : at + len(constant)] = constant
         try:
             yield kind(package, f).decode(bytes(data))
         except package.errors.DecodeError:

@@ -94,7 +94,7 @@ class Expected:
         for t in (self.model.protocol.function_selector, *self.model.all_types):
             yield from self.type(t)
         for u in self.records.unions:
-            yield from self.union(u.record, u.name, u.operation)
+            yield from self.union(u.record, u.name, u.of)
         for d in self.model.devices:
             item = ("known", names.constant(d.name), "")
             prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
@@ -125,9 +125,9 @@ class Expected:
     def facts(self, p: m.Parameter, record: names.Record) -> list[str]:
         return [said(fact.sentence, names.home(record)) for fact in describe.parameter(p, record, self.model)]
 
-    def union(self, record: names.Record, name: str, op: m.SwitchOp) -> Iterator[tuple[Item, str]]:
+    def union(self, record: names.Record, name: str, union: m.Union) -> Iterator[tuple[Item, str]]:
         here = names.home(record)
-        for case in op.cases:
+        for case in union.cases:
             description = (case.parameter and case.parameter.description) or case.tag.description
             texts = [self.prose(description, here)]
             texts += self.facts(case.parameter, record) if case.parameter else []

@@ -203,6 +203,6 @@ def _form(p: m.Parameter) -> tuple[object, object, object]:
 def _state(found: codec.Values, p: m.Parameter, value: object) -> None:
     """Adds a default, unless it is in words."""
     try:
-        found[p.name] = codec.canonical(p.operation, lists(value), p.name)
+        found[p.name] = codec.canonical(p, lists(value), p.name)
     except ValueError:
         pass

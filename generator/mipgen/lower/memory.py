@@ -42,12 +42,7 @@ def widest(_place: int, _alignment: int) -> int:
 
 def members(record: Record) -> list[m.Parameter]:
     """The parameters that have a member: no constants, and no unions without alternatives."""
-    return [p for p in record.parameters if p.constant is None and (p.element is not None or alternatives(p))]
-
-
-def alternatives(p: m.Parameter) -> list[m.Parameter]:
-    """The members of a union."""
-    return [c.parameter for c in p.cases if c.parameter is not None]
+    return [p for p in record.parameters if p.constant is None and (p.alternatives or not p.union)]
 
 
 def largest(model: m.Model) -> int:
@@ -60,36 +55,32 @@ def record(of: Record, gap: Gap = natural) -> Room:
     """The memory of a structure."""
     rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
     for p in members(of):
-        rooms += [Room(1)] if p.length == "rest" else []
-        rooms.append(_member(p, gap))
+        rooms += [Room(1)] if p.fills else []
+        rooms.append(_room(p, gap))
     return _in_a_row(rooms or [Room(1)], gap)
 
 
-def _member(p: m.Parameter, gap: Gap) -> Room:
-    if p.element is not None:
-        return _room(p.operation, gap)
-    rooms = [
-        _in_a_row([Room(1), _room(a.operation, gap)], gap) if a.length == "rest" else _room(a.operation, gap)
-        for a in alternatives(p)
-    ]
+def _room(p: m.Parameter, gap: Gap) -> Room:
+    if p.struct:
+        return record(p.struct, gap)
+    if p.union:
+        return _union([_alternative(q, gap) for q in p.alternatives], gap)
+    if p.kind == "text":
+        return Room(p.capacity + 1)
+    if p.kind == "array":
+        item = _room(p.item, gap)
+        return Room(max(1, p.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
+    return Room(p.size, 1 if p.kind == "bits" else p.size)
+
+
+def _alternative(p: m.Parameter, gap: Gap) -> Room:
+    room = _room(p, gap)
+    return _in_a_row([Room(1), room], gap) if p.fills else room
+
+
+def _union(rooms: Sequence[Room], gap: Gap) -> Room:
     size, alignment = max(r.size for r in rooms), max(r.alignment for r in rooms)
     return Room(size + gap(size, alignment), alignment, max(r.last for r in rooms))
-
-
-def _room(op: m.Operation, gap: Gap) -> Room:
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return Room(op.size, op.size)
-        case m.BitsOp():
-            return Room(op.size)
-        case m.TextOp():
-            return Room(op.capacity + 1)
-        case m.ArrayOp():
-            item = _room(op.item, gap)
-            return Room(max(1, op.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
-        case m.StructOp():
-            return record(op.struct, gap)
-    raise AssertionError(op)
 
 
 def _in_a_row(rooms: Sequence[Room], gap: Gap) -> Room:

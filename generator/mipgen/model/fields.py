@@ -9,8 +9,7 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .operations import BitsOp, ConstantOp, CounterOp, Operation, ScalarOp
-from .parameters import Parameter
+from .parameters import Group, Parameter, groups
 from .types import Function, Source, Type
 
 COMMAND: Final = "command"
@@ -109,7 +108,6 @@ class Field:
     title: str
     description: str
     parameters: tuple[Parameter, ...]
-    operations: tuple[Operation, ...]
     min_size: int
     max_size: int
     sources: tuple[Source, ...]
@@ -176,30 +174,36 @@ class Field:
     @property
     def optional(self) -> bool:
         """May parameters be absent?"""
-        return any(op.kind == "group" for op in self.operations)
+        return bool(self.groups)
 
     @property
     def counted(self) -> tuple[Parameter, ...]:
         """The parameters that a count of present ones counts: all but the selector."""
         return tuple(p for p in self.parameters if not p.selector)
 
-    @property
-    def constants(self) -> tuple[tuple[int, ConstantOp], ...]:
-        """The constants at known offsets in the data, which distinguish two layouts of a descriptor."""
-        found, offset = [], 0
-        for op in self.operations:
-            if not isinstance(op, (ScalarOp, ConstantOp, CounterOp, BitsOp)):
-                break
-            if isinstance(op, ConstantOp):
-                found.append((offset, op))
-            offset += op.size
-        return tuple(found)
+    @cached_property
+    def always(self) -> tuple[Parameter, ...]:
+        """The parameters that are always there: the selector, or those before the first optional one."""
+        first = (i for i, p in enumerate(self.parameters) if p.optional)
+        return self.parameters[: 1 if self.selector else next(first, None)]
+
+    @cached_property
+    def groups(self) -> tuple[Group, ...]:
+        """The other parameters."""
+        return tuple(groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
 
     @property
-    def signature(self) -> tuple[tuple[int, int, int], ...]:
-        """Its constants as offset, size and value: layouts that share them are distinguished by the size of the
-        data."""
-        return tuple((at, op.size, op.value) for at, op in self.constants)
+    def signature(self) -> tuple[tuple[int, bytes], ...]:
+        """The constants at known offsets in the data, which distinguish the layouts of a descriptor; those that share
+        them are distinguished by the size of the data."""
+        constants, offset = [], 0
+        for p in self.always:
+            if p.kind not in ("scalar", "constant", "counter", "bits"):
+                break
+            if p.kind == "constant":
+                constants.append((offset, p.octets))
+            offset += p.size
+        return tuple(constants)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from mipgen.read.position import Position
 
 if TYPE_CHECKING:
-    from .operations import ValueOp
-    from .parameters import Parameter
+    from .parameters import Group, Parameter
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +139,6 @@ class Struct:
 
     name: str
     parameters: tuple[Parameter, ...]
-    operations: tuple[ValueOp, ...]
     min_size: int
     max_size: int
     description: str
@@ -150,6 +148,16 @@ class Struct:
     kind: Literal["struct"] = "struct"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
+
+    @property
+    def always(self) -> tuple[Parameter, ...]:
+        """The parameters that are always there: in a structure, all."""
+        return self.parameters
+
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        """None: see those of a field."""
+        return ()
 
     @property
     def fixed(self) -> bool:

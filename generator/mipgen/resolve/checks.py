@@ -111,8 +111,8 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
     """By a constant that differs; or, with the same constants, by their sizes."""
     if a.role != m.RESPONSE or b.role != m.RESPONSE:
         return False
-    mine = {(at, size): value for at, size, value in a.signature}
-    if any(mine.get((at, size), value) != value for at, size, value in b.signature):
+    mine = {(at, len(constant)): constant for at, constant in a.signature}
+    if any(mine.get((at, len(constant)), constant) != constant for at, constant in b.signature):
         return True
     fixed = a.min_size == a.max_size and b.min_size == b.max_size
     return a.signature == b.signature and fixed and a.min_size != b.min_size

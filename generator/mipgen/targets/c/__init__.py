@@ -130,7 +130,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
         # records
         "members": memory.members,
-        "alternatives": memory.alternatives,
         "takes_enum": members.takes_enum,
         "declaration": members.declaration,
         "home": members.home,

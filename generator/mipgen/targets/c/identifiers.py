@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from mipgen import model as m
 from mipgen.emit.naming import Identifier
-from mipgen.lower.memory import alternatives, members
+from mipgen.lower.memory import members
 
 from . import calls, tables
 from .direct import direct
@@ -85,9 +85,9 @@ def _members(record: Record) -> Iterator[Identifier]:
     scope = f"struct {record_name(record)}"
     for p in members(record):
         yield Identifier(scope, member(p.name), p.name, p.position)
-        if p.length == "rest":
+        if p.fills:
             yield Identifier(scope, f"{member(p.name)}_count", p.name, p.position)
         if p.element is None:
             yield Identifier("C", union_name(p, record), p.name, p.position)
-            for a in alternatives(p):
+            for a in p.alternatives:
                 yield Identifier(f"union {union_name(p, record)}", member(a.name), a.name, p.position)

@@ -89,11 +89,11 @@ def numbers(t: m.Enum) -> str:
 
 def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
-    e, op, item, full = p.element, p.operation, p.operation.leaf, bare(record)
+    e, item, full = p.element, p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
-    scalar = upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8"
-    length = {int: "FIXED", str: "REST" if p.length == "rest" else "COUNTED"}.get(type(p.length), "ONE")
+    scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
+    length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
     readings = () if union else p.readings
     row = [
         literals.string(p.name),
@@ -101,11 +101,11 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
         f"MIP_SCALAR_{scalar}",
         f"MIP_LENGTH_{length}",
-        str(op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) and p.length is not None else 1),
+        str(p.capacity if p.length is not None else 1),
         str(len(e.elements) if isinstance(e, m.Vector) else 1),
         str(numbers.get(by or "", 0)),
         str(0 if union else presence.last(record).get(p.name, 0)),
-        literals.number(p.constant or 0, item.scalar.size if isinstance(item, m.ConstantOp) else 1),
+        literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
         *_place(p, record, union),
         f"&{names(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
         f"readings_{full}_{p.name}" if readings else "NULL",
@@ -123,7 +123,7 @@ def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[s
     within = f"union {union_name(union, record)}" if union else f"struct {record_name(record)}"
     name = (home(p) if union else "") + member(p.name)
     size = "ONE" if p.length is None else "MANY"
-    return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.length == "rest" else "0"
+    return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.fills else "0"
 
 
 def reflection(f: m.Field) -> str:

@@ -11,7 +11,6 @@ from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
-from mipgen.lower import presence
 
 from . import expressions, names
 from .names import member, type_name, value
@@ -35,8 +34,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "type": type_name,
         "scalar": names.SCALARS.__getitem__,
         "home": home,
-        "cases": lambda op: names.cases(member(op.member)),
-        "unions": unions,
+        "cases": lambda p: names.cases(member(p.name)),
         "presence": expressions.present,
         "count": expressions.count,
         "peeks": expressions.peeks,
@@ -106,10 +104,6 @@ def readings(model: m.Model) -> dict[str, list[str]]:
             if any(not v.by_device for v in named):
                 found["parameter"].append(where)
     return found
-
-
-def unions(record: expressions.Record) -> list[m.SwitchOp]:
-    return [op for op in presence.single(record.operations) if isinstance(op, m.SwitchOp)]
 
 
 # --------------------------------------------------------------------------- texts
@@ -204,7 +198,7 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
                         within = f"the type {names.cases(member(p.name))} of {type_name(t)}"
                         yield within, member(c.parameter.name), c.parameter.name, c.parameter.position
             for peek in expressions.peeks(t):
-                yield scope, peek.name, f"{peek.op.member}, read ahead", place
+                yield scope, peek.name, f"{peek.tag.name}, read ahead", place
             for rest in expressions.rests(t):
                 yield scope, rest.name, f"the number of {rest.array}", place
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.facts.describe import Fact, Record, Ref
-from mipgen.lower.extent import REST
 
 from . import types
 from .fields import on_page
@@ -110,7 +109,7 @@ def _extent(bytes_: str) -> str:
 def _size(row: Row) -> str:
     if row.size is not None:
         return _extent(str(row.size))
-    return REST if row.parameter and row.parameter.length == REST else "depends"
+    return m.REST if row.parameter and row.parameter.fills else "depends"
 
 
 def _type(page: Page, row: Row) -> str:
@@ -121,7 +120,7 @@ def _type(page: Page, row: Row) -> str:
     if e is None:
         return "union"
     if p.length is not None:
-        elements = "" if p.length == REST else row.beside(p.length) if isinstance(p.length, str) else p.length
+        elements = "" if p.fills else row.beside(p.length) if isinstance(p.length, str) else p.length
         many = inline(f"[{elements}]")
     if isinstance(e, m.Scalar):
         return code(e.name) + many

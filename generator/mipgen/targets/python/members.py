@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from mipgen import model as m
-from mipgen.lower import presence
 from mipgen.lower.calls import Constructor, constructors, replies
 from mipgen.lower.runs import run
 
@@ -171,10 +170,10 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
     if not isinstance(record, m.Field) or record.optional or record.selector:
         return []
     for p in record.parameters:
-        numbers = run(p.operation)
-        if numbers is None or p.operation.kind not in ("scalar", "array"):
+        numbers = run(p)
+        if numbers is None or p.kind not in ("scalar", "array"):
             return []
-        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.operation.leaf.named
+        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.leaf.named
         if numbers.count is None:
             made = reference(named, home(record)) if named else "codec.truth" if truth else ""
         elif truth or named:
@@ -223,11 +222,11 @@ def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
     held = {p.name for p in members(f)}
     return tuple(
         (
-            op.last,
-            tuple(member(part.member) for part in op.body if part.member in held),
-            any(part.kind == "switch" for part in op.body),
+            group.last,
+            tuple(member(p.name) for p in group.parameters if p.name in held),
+            any(p.kind == "switch" for p in group.parameters),
         )
-        for op in presence.groups(f)
+        for group in f.groups
     )
 
 
@@ -288,6 +287,5 @@ def matches(f: m.Field, model: m.Model) -> str:
     tests = [f"{sizes.start} <= len(data)"] if sizes.start else []
     if sizes.stop <= m.MAX_FIELD_DATA:
         tests = [f"{sizes.start} <= len(data) < {sizes.stop}" if sizes.start else f"len(data) < {sizes.stop}"]
-    for at, size, value in f.signature:
-        tests.append(f"{value.to_bytes(size, 'big')!r}.startswith(data[{at}:{at + size}])")
+    tests += [f"{octets!r}.startswith(data[{at}:{at + len(octets)}])" for at, octets in f.signature]
     return " and ".join(tests)

@@ -77,7 +77,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "derives": of.derives,
         "derives_default": of.derives_default,
         "is_long": records.is_long,
-        "is_selector": records.is_selector,
         "is_sequence": records.is_sequence,
         "needs": of.needs,
         "members": of.members,
@@ -122,7 +121,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": lambda n: f"0x{n:02X}",
         "layouts": rows.layouts,
         "linked": rows.linked,
-        "octets": tables.octets,
         "numbers": docs.numbers,
         "option": tables.option,
         "quoted": tables.quoted,
@@ -172,10 +170,10 @@ def _field(model: m.Model, f: m.Field) -> Iterator[Identifier]:
 def _union(union: records.Union) -> Iterator[Identifier]:
     position = union.record.position
     where = f"{home(union.record)}::{union.name}"
-    what = f"the union {union.operation.member} of {union.record.name}"
+    what = f"the union {union.parameter.name} of {union.record.name}"
     yield Identifier(home(union.record), union.name, what, position)
     yield Identifier(where, "Other", "an unknown tag", position)
-    for case in union.operation.cases:
+    for case in union.of.cases:
         yield Identifier(where, variant(case.tag.name), case.tag.name, position)
 
 

@@ -74,11 +74,10 @@ class Docs:
         return [f"{self._prose(b.description, home(of)) or words(b.name)} {said}"]
 
     def union(self, u: Union) -> list[Block]:
-        return [f"The alternatives of `{u.operation.member}` in [`{type_name(u.record.name)}`]."]
+        return [f"The alternatives of `{u.parameter.name}` in [`{type_name(u.record.name)}`]."]
 
     def case(self, c: m.Case, u: Union) -> list[Block]:
-        union = next(p for p in u.record.parameters if p.operation is u.operation)
-        facts = [describe.case(c, union, u.record)]
+        facts = [describe.case(c, u.parameter, u.record)]
         facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
         said, notes = self._facts(facts, home(u.record))
         description = c.parameter.description if c.parameter else ""

@@ -56,7 +56,7 @@ class Member:
         """What it is by default, as an expression."""
         if self.may_be_absent:
             return "None"
-        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter.operation)
+        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter)
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,15 +72,16 @@ class Constructor:
 class Union:
     name: str
     record: Record  # that it is defined beside
-    operation: m.SwitchOp
+    parameter: m.Parameter
+    of: m.Union
 
     @property
     def default(self) -> str:
         """The alternative of tag 0, as an expression."""
-        case = next((c for c in self.operation.cases if c.tag.value == 0), None)
+        case = next((c for c in self.of.cases if c.tag.value == 0), None)
         if case is None:
-            return f"{self.name}::Other({path(self.operation.tag_type, home(self.record))}(0))"
-        value = f"({default(case.operation)})" if case.operation else ""
+            return f"{self.name}::Other({path(self.of.type, home(self.record))}(0))"
+        value = f"({default(case.parameter)})" if case.parameter else ""
         return f"{self.name}::{variant(case.tag.name)}{value}"
 
 
@@ -126,8 +127,8 @@ class Records:
         self._members: dict[int, list[Member]] = {}  # those of a record, by its identity
         for record in self.all():
             for p in record.parameters:
-                if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
-                    self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p.operation))
+                if p.union and self._union(p.union, home(record)) is None:
+                    self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p, p.union))
 
     def all(self) -> Iterator[Record]:
         yield from structs(self.model.types)
@@ -141,35 +142,28 @@ class Records:
     def unions_of(self, record: Record) -> list[Union]:
         return [u for u in self.unions if u.record is record]
 
-    def union(self, op: m.SwitchOp, here: str) -> Union:
+    def union(self, of: m.Union, here: str) -> Union:
         """Unions of a module that have the same alternatives are one type."""
-        found = self._union(op, here)
-        assert found is not None
-        return found
+        union = self._union(of, here)
+        assert union is not None
+        return union
 
-    def _union(self, op: m.SwitchOp, here: str) -> Union | None:
-        same = (u for u in self.unions if home(u.record) == here and u.operation.tag_type == op.tag_type)
-        return next((u for u in same if u.operation.cases == op.cases), None)
+    def _union(self, of: m.Union, here: str) -> Union | None:
+        same = (u for u in self.unions if home(u.record) == here and u.of.type == of.type)
+        return next((u for u in same if u.of.cases == of.cases), None)
 
-    def rust(self, op: m.Operation, here: str) -> str:
-        """The type of what an operation reads."""
-        match op:
-            case m.ScalarOp() | m.BitsOp() if op.type:
-                return path(op.type, here)
-            case m.ScalarOp():
-                return scalar(op.scalar)
-            case m.TextOp():
-                return f"crate::Text<{op.count}>" if op.count is not None else f"crate::VarText<{op.capacity}>"
-            case m.ArrayOp() if op.vector is not None:
-                return path(op.vector, here)
-            case m.ArrayOp():
-                item = self.rust(op.item, here)
-                return f"[{item}; {op.count}]" if op.count is not None else f"crate::List<{item}, {op.capacity}>"
-            case m.StructOp():
-                return path(op.struct, here)
-            case m.SwitchOp():
-                return self.union(op, here).name
-        raise AssertionError(op)
+    def rust(self, p: m.Parameter, here: str) -> str:
+        """The type of a parameter."""
+        if p.union:
+            return self.union(p.union, here).name
+        if t := p.named or p.vector or p.struct:
+            return path(t, here)
+        if p.kind == "text":
+            return f"crate::VarText<{p.capacity}>" if p.open else f"crate::Text<{p.count}>"
+        if p.kind == "array":
+            item = self.rust(p.item, here)
+            return f"crate::List<{item}, {p.capacity}>" if p.open else f"[{item}; {p.count}]"
+        return scalar(p.scalar)
 
     # ------------------------------------------------------------------ members
 
@@ -182,19 +176,19 @@ class Records:
     def _made(self, record: Record) -> list[Member]:
         absent = presence.last(record)
         return [
-            Member(member(p.name), self.rust(p.operation, home(record)), p.name in absent, p)
+            Member(member(p.name), self.rust(p, home(record)), p.name in absent, p)
             for p in record.parameters
             if not p.derived
         ]
 
-    def members_of(self, group: m.GroupOp, record: Record) -> list[Member]:
-        return [x for x in self.members(record) if x.parameter.operation in group.body]
+    def members_of(self, group: m.Group, record: Record) -> list[Member]:
+        return [x for x in self.members(record) if x.parameter in group.parameters]
 
     def derives(self, record: Record) -> list[str]:
         """The traits that a record derives besides those of all records."""
         selects = isinstance(record, m.Field) and record.selector
         default = ["Default"] if self.derives_default(record) and not selects else []
-        return sorted([*default, *_derives(record.operations, record.max_size)])
+        return sorted([*default, *_derives(record.parameters, record.max_size)])
 
     def derives_default(self, record: Record) -> bool:
         """Is the default of each member the one of its type?"""
@@ -255,11 +249,7 @@ class Records:
 
     def _types(self, record: Record) -> Iterator[m.Type]:
         yield from (v.type for p in record.parameters for v in p.readings if v.type)
-        for op in _parts(record.operations):
-            if op.named:
-                yield op.named
-            elif isinstance(op, m.StructOp):
-                yield op.struct
+        yield from (t for p in _parts(record.parameters) if (t := p.named or p.struct))
 
     def conversions(self) -> list[Conversion]:
         """From the named types of members to the types that they are read as."""
@@ -277,54 +267,50 @@ def structs(types: Iterable[m.Type]) -> list[m.Struct]:
 
 
 def union_derives(union: Union) -> list[str]:
-    return _derives([union.operation], extent.size(union.operation)[1])
+    return _derives([union.parameter], extent.size(union.parameter)[1])
 
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
     """What all responses derive, their enumeration does too."""
-    found = [_derives(r.operations, r.max_size) for r in responses]
+    found = [_derives(r.parameters, r.max_size) for r in responses]
     return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in found)]
 
 
-def _derives(operations: Iterable[m.Operation], size: int) -> list[str]:
+def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:
     """`Copy` of what is small and has no lists, `Eq` and `Hash` of what has no floats."""
-    parts = list(_parts(operations))
-    lists = size > MAX_COPIED or any(op.open for op in parts)
-    floats = any(isinstance(op, m.ScalarOp) and op.scalar.kind == "float" for op in parts)
+    parts = list(_parts(parameters))
+    lists = size > MAX_COPIED or any(p.open for p in parts)
+    floats = any(p.kind == "scalar" and p.scalar.kind == "float" for p in parts)
     return [*([] if lists else ["Copy"]), *([] if floats else ["Eq", "Hash"])]
 
 
-def _parts(operations: Iterable[m.Operation]) -> Iterator[m.Operation]:
-    """The operations, and those inside of them."""
-    for op in operations:
-        yield op
-        yield from _parts(op.inside)
+def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
+    """The parameters, and those inside of them."""
+    for p in parameters:
+        yield p
+        yield from _parts(p.inside)
 
 
 def is_sequence(record: Record) -> bool:
     """Has it just its members on the wire, one after another?"""
-    plain = not any(op.kind in ("constant", "counter", "switch", "group") for op in record.operations)
-    return plain and not any(p.selector or member(p.name) != p.name for p in record.parameters)
+    special = any(p.kind in ("constant", "counter", "switch") or p.selector for p in record.parameters)
+    return not special and not record.groups and all(member(p.name) == p.name for p in record.parameters)
 
 
-def is_selector(op: m.Operation, record: Record) -> bool:
-    return any(p.selector and p.operation is op for p in record.parameters)
-
-
-def when(group: m.GroupOp, record: m.Field) -> str:
+def when(group: m.Group, record: m.Field) -> str:
     """When a group must be there: for some functions, or never."""
     required = record.counted[group.first - 1].required_for
     return f"for {constants(required)}" if required else "optional"
 
 
-def default(op: m.Operation) -> str:
-    """The default of what an operation reads."""
-    return f"[{DEFAULT}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else DEFAULT
+def default(p: m.Parameter) -> str:
+    """The default of the type of a parameter."""
+    return f"[{DEFAULT}; {p.count}]" if is_long(p) else DEFAULT
 
 
 def raw(x: Member) -> str:
     """The type of its number, or of its bytes."""
-    named = x.parameter.operation.named
+    named = x.parameter.named
     return inner(named) if named else x.type
 
 
@@ -333,6 +319,6 @@ def reserved(p: m.Parameter) -> str:
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
 
-def is_long(op: m.Operation) -> bool:
+def is_long(p: m.Parameter) -> bool:
     """Is it an array that is too long for the traits of Rust and serde?"""
-    return isinstance(op, m.ArrayOp) and op.vector is None and (op.count or 0) > 32
+    return p.kind == "array" and p.vector is None and (p.count or 0) > 32

@@ -33,11 +33,6 @@ def option(value: object | None) -> str:
     return "None" if value is None else f"Some({value})"
 
 
-def octets(op: m.ConstantOp) -> list[int]:
-    """The bytes of a constant."""
-    return list(op.value.to_bytes(op.size, "big", signed=op.value < 0))
-
-
 @dataclass(frozen=True, slots=True)
 class Group:
     """The fields of a family."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mipgen import model as m
 from mipgen.facts import describe
 
@@ -19,13 +21,13 @@ def string(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 
-def octets(value: int, size: int) -> str:
-    """A number as a Lua string of its bytes.
+def octets(values: Iterable[int]) -> str:
+    """Bytes as a Lua string.
 
-    >>> octets(6254, 2)
+    >>> octets(b"\\x18n")
     '"\\\\24\\\\110"'
     """
-    return '"' + "".join(f"\\{byte}" for byte in value.to_bytes(size, "big")) + '"'
+    return '"' + "".join(f"\\{byte}" for byte in values) + '"'
 
 
 def qualified(t: m.Type) -> str:
