@@ -25,7 +25,7 @@ FORMAT = "1.0"
 LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Parameter: ("element", "typical", "most"),  # typical values are with the calls of fields
     Quantity: ("typical",),
-    m.Field: ("family", "occurrences", "everywhere", "functions", "groups"),
+    m.Field: ("family", "occurrences", "everywhere", "functions"),
     m.Struct: ("owner",),
     m.Enum: ("owner",),
     m.Bitfield: ("owner",),
@@ -35,6 +35,9 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Variant: ("only",),
     guides.Shown: ("data",),  # in the packet
 }
+
+#: Attributes that are written under another name: of a union, its tag and its cases.
+RENAMED = {"union": "tag"}
 
 
 def text(model: m.Model) -> str:
@@ -138,7 +141,7 @@ def plain(value: Any) -> Any:
 def _attributes(thing: Any) -> dict[str, Any]:
     """The attributes of an object of the model, and what is added to them."""
     found = {
-        name: plain(v)
+        RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
         if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
     }
@@ -182,7 +185,6 @@ def _said(value: Any, default: Any) -> bool:
 
 def _parameter(p: m.Parameter, found: dict[str, Any]) -> dict[str, Any]:
     head = {"name": found.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
-    found = {"tag" if name == "union" else name: value for name, value in found.items()}
     cases = [{"tag": c.tag.name, **({"parameter": plain(c.parameter)} if c.parameter else {})} for c in p.cases]
     return {**head, **found, **({"cases": cases} if cases else {})}
 
