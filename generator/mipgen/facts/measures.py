@@ -12,8 +12,7 @@ from .texts import Fact, Record, Ref, Text, fact, interleaved, joined, number
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
     """Elements, unit, frame, range and default: of a parameter, or of a variant of it."""
-    own = p.element.elements if isinstance(p.element, m.Vector) else ()
-    elements = of.elements if isinstance(of, m.Variant) else own
+    elements = of.elements if isinstance(of, m.Variant) else p.elements
     if elements:
         yield fact("elements", (", ".join(elements),), "Elements: {}.")
     if of.units:
@@ -76,7 +75,7 @@ def validity(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
-    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(paths))))
+    names = p.elements or tuple(map(str, range(len(paths))))
     each = [(f"{name}: ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
     return fact("valid", interleaved(each, ", "), "Each element has its own valid flag. {}.")
 

@@ -36,7 +36,21 @@ from .fields import (
 from .parameters import DEVICE, REST, Case, Group, Parameter, Shape, Shown, Union, Variant, groups
 from .protocol import OWN_PACKAGE, Chapter, Clock, Protocol, Usage, Word
 from .specification import Model
-from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Source, Struct, Type, Vector, letters
+from .types import (
+    SCALARS,
+    Bitfield,
+    Bits,
+    Enum,
+    EnumValue,
+    Function,
+    Scalar,
+    Source,
+    Struct,
+    Type,
+    Vector,
+    letters,
+    structs,
+)
 
 __all__ = [
     "COMMAND",
@@ -100,4 +114,5 @@ __all__ = [
     "Word",
     "groups",
     "letters",
+    "structs",
 ]

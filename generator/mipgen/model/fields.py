@@ -136,6 +136,11 @@ class Field:
         return f"{self.family}.{self.name}"
 
     @property
+    def owner(self) -> str:
+        """What defines it, as of a type: its family."""
+        return self.family
+
+    @property
     def sets(self) -> Sequence[int]:
         """The descriptor sets in which it occurs."""
         return self.everywhere or tuple(o.set for o in self.occurrences)

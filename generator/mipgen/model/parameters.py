@@ -165,6 +165,11 @@ class Parameter:
         return self.element if isinstance(self.element, Vector) and self.length is None else None
 
     @property
+    def elements(self) -> tuple[str, ...]:
+        """The names of the elements of a vector, or of each vector of an array."""
+        return self.element.elements if isinstance(self.element, Vector) else ()
+
+    @property
     def named(self) -> Enum | Bitfield | None:
         """The type that names its values or bits; of an array, see its `leaf`."""
         return self.element if isinstance(self.element, (Enum, Bitfield)) and self.length is None else None

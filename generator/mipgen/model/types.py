@@ -132,6 +132,17 @@ class Vector:
     uncertain: tuple[str, ...] = ()
     kind: Literal["vector"] = "vector"
 
+    @property
+    def owner(self) -> None:
+        """No set: vectors belong to all. Nor do they have sources, or a place in a file."""
+
+    @property
+    def position(self) -> None: ...
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        return ()
+
 
 @dataclass(frozen=True, slots=True)
 class Struct:
@@ -160,11 +171,23 @@ class Struct:
         return ()
 
     @property
+    def optional(self) -> bool:
+        return False
+
+    @property
+    def selector(self) -> bool:
+        return False
+
+    @property
     def fixed(self) -> bool:
         return self.min_size == self.max_size
 
 
 Type = Enum | Bitfield | Vector | Struct
+
+
+def structs(types: Iterable[Type]) -> list[Struct]:
+    return [t for t in types if isinstance(t, Struct)]
 
 
 @dataclass(frozen=True, slots=True)

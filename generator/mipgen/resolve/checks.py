@@ -51,7 +51,7 @@ def fields(model: m.Model, problems: Problems) -> None:
 
 def fields_of(model: m.Model, problems: Problems) -> None:
     """What says of which set field descriptors are: a parameter beside them, or the name of a set."""
-    records: list[m.Field | m.Struct] = [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
+    records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
     for record in records:
         sets = {p.name for p in record.parameters if p.shown == "set"}
         names = {s.name for s in model.sets}
@@ -210,7 +210,7 @@ def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
 def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Position | None]]:
     for p in parameters:
         yield p.name, p.position
-        yield from _names_of(tuple(c.parameter for c in p.cases if c.parameter is not None))
+        yield from _names_of(p.alternatives)
 
 
 # --------------------------------------------------------------------------- types
@@ -278,7 +278,7 @@ def _parameters(model: m.Model) -> Iterator[m.Parameter]:
     for parameters in (
         model.protocol.acknowledge.parameters,
         *(f.parameters for f in model.fields),
-        *(t.parameters for t in _all_types(model) if isinstance(t, m.Struct)),
+        *(t.parameters for t in m.structs(_all_types(model))),
     ):
         yield from (p for p in parameters if p.reserved is None)
 

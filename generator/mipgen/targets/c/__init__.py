@@ -134,7 +134,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "declaration": members.declaration,
         "home": members.home,
         "in_order": in_order,
-        "optional": lambda record: isinstance(record, m.Field) and record.optional,
         "last_present": members.last_present,
         "constructors": members.constructors,
         "silent": members.silent,

@@ -89,7 +89,7 @@ def numbers(t: m.Enum) -> str:
 
 def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
-    e, item, full = p.element, p.leaf, bare(record)
+    item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
     scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
@@ -102,14 +102,14 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         f"MIP_SCALAR_{scalar}",
         f"MIP_LENGTH_{length}",
         str(p.capacity if p.length is not None else 1),
-        str(len(e.elements) if isinstance(e, m.Vector) else 1),
+        str(len(p.elements) or 1),
         str(numbers.get(by or "", 0)),
         str(0 if union else presence.last(record).get(p.name, 0)),
         literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
         *_place(p, record, union),
-        f"&{names(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
+        f"&{names(item.named)}" if item.named else "NULL",
         f"readings_{full}_{p.name}" if readings else "NULL",
-        f"&record_{bare(e)}" if isinstance(e, m.Struct) else "NULL",
+        f"&record_{bare(item.struct)}" if item.struct else "NULL",
         f"cases_{full}_{p.name}" if p.cases else "NULL",
         str(len(readings or p.cases)),
     ]

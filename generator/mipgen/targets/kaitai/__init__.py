@@ -94,7 +94,7 @@ def enums(model: m.Model) -> list[m.Enum]:
 def readings(model: m.Model) -> dict[str, list[str]]:
     """The parameters whose values have other names on each device, or by the value of another parameter."""
     found: dict[str, list[str]] = {"device": [], "parameter": []}
-    holders: list[expressions.Record] = [t for t in model.all_types if isinstance(t, m.Struct)]
+    holders: list[expressions.Record] = [*m.structs(model.all_types)]
     for record in (*holders, *records(model)):
         for p in record.parameters:
             named = [v for v in p.variants if v.type is not None or v.unknown]
@@ -143,7 +143,7 @@ def _named(ref: describe.Ref) -> str:
 
 def about(name: str, record: expressions.Record, model: m.Model) -> str:
     """The documentation of a parameter, or of one in a union; empty if there is none."""
-    everything = [q for p in record.parameters for q in (p, *(c.parameter for c in p.cases)) if q is not None]
+    everything = [q for p in record.parameters for q in (p, *p.alternatives)]
     p = next(q for q in everything if q.name == name)
     facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []
     parts = [say(describe.prose(p.description, model)) if p.description else "", *(say(f.sentence) for f in facts)]
@@ -163,9 +163,8 @@ Named = tuple[str, str, str, m.Position | None]
 
 def _names(model: m.Model) -> Iterator[Named]:
     for t in (model.protocol.function_selector, *model.all_types):
-        place = None if isinstance(t, m.Vector) else t.position
-        yield "mip", type_name(t), t.name, place
-        yield from _members(t, place)
+        yield "mip", type_name(t), t.name, t.position
+        yield from _members(t, t.position)
     for number, name, fields in kinds(model):
         yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
         if len(fields) > 1:

@@ -197,15 +197,14 @@ def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
 def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
     """The type that names a value, be it by a sibling or by the device."""
     named = next((v.type for v in _variants(p, around) if v.type is not None), None)
-    return named or (p.element if isinstance(p.element, (m.Enum, m.Bitfield)) else None)
+    return named or (p.leaf.named)
 
 
 def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
     units = next((v.units for v in _variants(p, around) if v.units), p.units)
     model = around.model
     shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
-    own = p.element.elements if isinstance(p.element, m.Vector) else ()
-    elements = next((v.elements for v in _variants(p, around) if v.elements), own)
+    elements = next((v.elements for v in _variants(p, around) if v.elements), p.elements)
     if len(elements) == len(shown) <= 4:
         shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
     if len(units) == len(shown) > 1:

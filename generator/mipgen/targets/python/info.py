@@ -78,8 +78,8 @@ def of_parameter(p: m.Parameter, record: Record, model: m.Model) -> Row:
     """The description of a parameter besides its name, kind and cases."""
     values = {
         "scalar": _scalar(p.element),
-        "size": p.element.size if isinstance(p.element, m.Bitfield) and p.element.scalar is None else 0,
-        "elements": p.element.elements if isinstance(p.element, m.Vector) else (),
+        "size": p.size if p.kind == "bits" else 0,
+        "elements": p.elements,
         "length": p.length,
         "constant": p.constant,
         "counts": p.counts and member(p.counts),
@@ -93,9 +93,7 @@ def of_parameter(p: m.Parameter, record: Record, model: m.Model) -> Row:
         "magnitude": p.magnitude if p.magnitude != (None, None) else None,
         "default": p.reserved if p.default is None else in_numbers(p.default, p.element),
         "frame": p.frame,
-        "required": tuple(
-            member(x.name) for x in p.required_for if isinstance(record, m.Field) and p in record.counted
-        ),
+        "required": tuple(member(x.name) for x in p.required_for),
         "optional": p.optional,
         "reserved": p.reserved is not None,
         "deprecated": p.deprecated,

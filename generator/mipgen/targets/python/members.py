@@ -46,14 +46,13 @@ def annotation(p: m.Parameter, record: Record) -> str:
 
 def is_array(p: m.Parameter) -> bool:
     """Has it several elements, in a tuple? Text has none."""
-    return p.length is not None and not (isinstance(p.element, m.Scalar) and p.element.kind == "char")
+    return p.kind == "array" and not p.vector
 
 
 def few_elements(p: m.Parameter) -> int:
     """The length of an array whose type names each element; 0 if it does not."""
-    if isinstance(p.length, int) and p.length <= 4 and isinstance(p.element, (m.Scalar, m.Vector)):
-        return p.length
-    return 0
+    plain = is_array(p) and not (p.leaf.named or p.leaf.struct)
+    return p.capacity if plain and not p.open and p.capacity <= 4 else 0
 
 
 def _one(p: m.Parameter, record: Record) -> str:
@@ -75,8 +74,6 @@ def hint(p: m.Parameter, record: Record) -> str:
 
 def may_be_absent(p: m.Parameter, record: Record) -> bool:
     """Can the member be None because it was not sent? An unknown function requires nothing."""
-    if not isinstance(record, m.Field):
-        return False
     return not p.selector if record.selector else p.optional
 
 
@@ -179,7 +176,7 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
         elif truth or named:
             return []
         else:
-            made = reference(p.element, home(record)) if isinstance(p.element, m.Vector) else "tuple"
+            made = reference(p.vector, home(record)) if p.vector else "tuple"
         found.append((member(p.name), letter * (numbers.count or 1), made))
     return found
 

@@ -178,17 +178,16 @@ def _union(union: records.Union) -> Iterator[Identifier]:
 
 
 def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
-    position = None if isinstance(t, m.Vector) else t.position
     where = f"{home(t)}::{type_name(t.name)}"
-    yield Identifier(home(t), type_name(t.name), t.name, position)
+    yield Identifier(home(t), type_name(t.name), t.name, t.position)
     match t:
         case m.Enum():
             for v in t.values:
-                yield Identifier(where, constant(v.name), v.name, position)
+                yield Identifier(where, constant(v.name), v.name, t.position)
         case m.Bitfield():
             for b in t.bits:
                 for name in (constant(b.name), method(b.name), f"set_{b.name}", f"with_{b.name}"):
-                    yield Identifier(where, name, b.name, position)
+                    yield Identifier(where, name, b.name, t.position)
         case m.Vector():
             for e in t.elements:
                 yield Identifier(where, member(e), e, None)

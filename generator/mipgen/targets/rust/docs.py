@@ -63,7 +63,7 @@ class Docs:
         description = self._prose(t.description, home(t)) or words(t.name)
         more, _ = self._facts(describe.type(t, self.model), home(t))
         unheld = self._unheld(t) if isinstance(t, m.Struct) else []
-        return [description, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
+        return [description, more, *unheld, sources(t)]
 
     def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
         said, _ = self._facts(describe.value(v, self.model), home(of))
@@ -137,7 +137,7 @@ def numbers(family: m.Family) -> str:
     return ", ".join(f"0x{s.number:02X}" for s in family.sets)
 
 
-def sources(thing: m.Field | m.Family | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
+def sources(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
     found = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {found}." if found else ""
 

@@ -81,10 +81,7 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 
 def home(thing: m.Type | Record) -> str:
     """The module of a type."""
-    if isinstance(thing, m.Field):
-        return module(thing.family)
-    owner = None if isinstance(thing, m.Vector) else thing.owner
-    return module(owner) if owner else "types"
+    return module(thing.owner) if thing.owner else "types"
 
 
 def feature(family: m.Family) -> str:

@@ -48,8 +48,7 @@ class Member:
         """The type of an argument that becomes this member: what is easy to give."""
         if self.type == BOOL:
             return "bool"
-        vector = isinstance(self.parameter.element, m.Vector) and self.parameter.length is None
-        return f"impl Into<{self.type}>" if vector or self.type.startswith("crate::List<") else self.type
+        return f"impl Into<{self.type}>" if self.parameter.vector or self.type.startswith("crate::List<") else self.type
 
     @property
     def default(self) -> str:
@@ -131,10 +130,10 @@ class Records:
                     self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p, p.union))
 
     def all(self) -> Iterator[Record]:
-        yield from structs(self.model.types)
+        yield from m.structs(self.model.types)
         yield self.model.protocol.acknowledge
         for family in self.model.families:
-            yield from structs(family.types)
+            yield from m.structs(family.types)
             yield from family.fields
 
     # ------------------------------------------------------------------ types
@@ -186,8 +185,7 @@ class Records:
 
     def derives(self, record: Record) -> list[str]:
         """The traits that a record derives besides those of all records."""
-        selects = isinstance(record, m.Field) and record.selector
-        default = ["Default"] if self.derives_default(record) and not selects else []
+        default = ["Default"] if self.derives_default(record) and not record.selector else []
         return sorted([*default, *_derives(record.parameters, record.max_size)])
 
     def derives_default(self, record: Record) -> bool:
@@ -242,7 +240,7 @@ class Records:
 
     def needs(self, family: m.Family) -> list[str]:
         """The features of the families whose types the fields of a family have."""
-        records: list[Record] = [*family.fields, *structs(family.types)]
+        records: list[Record] = [*family.fields, *m.structs(family.types)]
         used = [t for record in records for t in self._types(record)]
         used += [b.enum for t in (*family.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
         return sorted({home(t) for t in used} - {"types", module(family.name)})
@@ -260,10 +258,6 @@ class Records:
                 if isinstance(of, (m.Enum, m.Bitfield)) and to is not None:
                     found.setdefault((of.name, to.name), Conversion(of, to, record, reading))
         return list(found.values())
-
-
-def structs(types: Iterable[m.Type]) -> list[m.Struct]:
-    return [t for t in types if isinstance(t, m.Struct)]
 
 
 def union_derives(union: Union) -> list[str]:

@@ -60,4 +60,4 @@ def types(model: m.Model) -> list[Named]:
 
 def structs(model: m.Model) -> list[m.Struct]:
     """Every structure, those that others hold before these."""
-    return [t for t in model.all_types if isinstance(t, m.Struct)]
+    return m.structs(model.all_types)
