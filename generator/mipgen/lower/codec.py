@@ -247,27 +247,32 @@ def _put(p: m.Parameter, value: Any, values: Values, out: bytearray) -> None:
             raise CodecError("tag", f"{p.tag} is {values[p.union.tag]}, but {p.name} holds {list(value)}")
         for q in chosen:
             _write(q, value, out)
-    elif p.kind == "bits":
-        if not isinstance(value, list) or len(value) != p.size:
-            raise CodecError("count", f"{p.name} needs {p.size} bytes")
-        for byte in value:
-            out += _bytes(p.scalar, byte)
-    elif p.kind == "text":
-        _check_count(p, value)
-        try:
-            out += value.encode("latin-1")
-        except UnicodeEncodeError as error:
-            raise CodecError("range", f"{p.name} is out of range") from error
     elif p.kind == "array":
         _check_count(p, value)
         for item in value:
             _put(p.item, item, {}, out)
     else:
-        if p.counts is not None:
-            items = values.get(p.counts)
-            if not isinstance(items, (list, str)) or len(items) != value:
-                raise CodecError("count", f"{p.name} is {value}")
-        out += _bytes(p.scalar, value)
+        out += _octets(p, value, values)
+
+
+def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
+    """The bytes of a number, of a text, or of a bitfield in bytes."""
+    if p.kind == "bits":
+        if not isinstance(value, list) or len(value) != p.size:
+            raise CodecError("count", f"{p.name} needs {p.size} bytes")
+        return b"".join(_bytes(p.scalar, byte) for byte in value)
+    if p.kind == "text":
+        _check_count(p, value)
+        try:
+            octets: bytes = value.encode("latin-1")
+        except UnicodeEncodeError as error:
+            raise CodecError("range", f"{p.name} is out of range") from error
+        return octets
+    if p.counts is not None:
+        items = values.get(p.counts)
+        if not isinstance(items, (list, str)) or len(items) != value:
+            raise CodecError("count", f"{p.name} is {value}")
+    return _bytes(p.scalar, value)
 
 
 def put(p: m.Parameter, value: Any) -> bytes:

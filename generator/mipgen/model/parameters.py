@@ -9,7 +9,7 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Vector
+from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Vector
 
 #: How a number that people know in hexadecimal is meant: as such, as that of a descriptor set, as a field descriptor.
 Shown = Literal["hex", "set", "field"]
@@ -234,6 +234,13 @@ class Parameter:
     def fills(self) -> bool:
         """Is it an array or a text that fills the field?"""
         return self.length == REST
+
+    @property
+    def types(self) -> tuple[Type, ...]:
+        """The types that it names: its own, those of its variants, and those of its alternatives."""
+        own = () if self.element is None or isinstance(self.element, Scalar) else (self.element,)
+        variants = (v.type for v in self.variants if v.type is not None)
+        return (*own, *variants, *(t for p in self.alternatives for t in p.types))
 
     @property
     def inside(self) -> tuple[Parameter, ...]:

@@ -190,16 +190,18 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
             for e in t.elements:
                 yield scope, member(e), e, place
         case _:
-            for p in t.parameters:
-                yield scope, member(p.name), p.name, p.position or place
-                for c in p.cases:
-                    if c.parameter is not None:
-                        within = f"the type {names.cases(member(p.name))} of {type_name(t)}"
-                        yield within, member(c.parameter.name), c.parameter.name, c.parameter.position
-            for peek in expressions.peeks(t):
-                yield scope, peek.name, f"{peek.tag.name}, read ahead", place
-            for rest in expressions.rests(t):
-                yield scope, rest.name, f"the number of {rest.array}", place
+            yield from _attributes(t, scope, place)
+
+
+def _attributes(record: expressions.Record, scope: str, place: m.Position | None) -> Iterator[Named]:
+    for p in record.parameters:
+        yield scope, member(p.name), p.name, p.position or place
+        within = f"the type {names.cases(member(p.name))} of {type_name(record)}"
+        yield from ((within, member(q.name), q.name, q.position) for q in p.alternatives)
+    for peek in expressions.peeks(record):
+        yield scope, peek.name, f"{peek.tag.name}, read ahead", place
+    for rest in expressions.rests(record):
+        yield scope, rest.name, f"the number of {rest.array}", place
 
 
 TARGET = Target(
