@@ -224,7 +224,7 @@ def test_calls() -> None:
     assert [p.name for p in write.optional] == ["limit", "reserved"] == [p.name for p in apply.optional]
     assert [p.name for p in read.required] == ["port", "mode"] and read.optional == ()
     (only,) = invented("tools.status").calls
-    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.asked] == ["selector"]
+    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.given] == ["selector"]
     (growing,) = invented("measurements.growing").calls
     assert len(growing.required) == 1 and len(growing.optional) == 2
 

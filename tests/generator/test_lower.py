@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from mipgen.lower import calls, codec, extent, memory, presence, runs
+from mipgen.lower import calls, codec, extent, memory, runs
 from mipgen.lower.extent import Extent
 from small_specs import field
 from support import model
@@ -124,8 +124,8 @@ def test_what_varies_or_is_checked_has_no_runs(parameters: str) -> None:
 
 def test_presence() -> None:
     f = invented("tools.settings")
-    assert presence.required(f) == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
-    assert presence.last(f) == {p.name: g.last for g in f.groups for p in g.parameters}
+    assert f.requires == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+    assert f.present_with == {p.name: g.last for g in f.groups for p in g.parameters}
     assert f.always + tuple(p for g in f.groups for p in g.parameters) == f.parameters
 
 

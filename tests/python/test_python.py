@@ -687,7 +687,7 @@ def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     if isinstance(record, m.Field) and record.functions:
         call = next((c for c in record.calls if c.function and c.function.value == values["function"]), None)
         if call is not None and call.function is not None:
-            asked = {names.member(p.name) for p in call.asked if not p.derived}
+            asked = {names.member(p.name) for p in call.given if not p.derived}
             free = {names.member(p.name) for p in call.optional if not p.derived}
             reserved = {names.member(p.name) for p in record.parameters if p.reserved is not None}
             own = {k: v for k, v in words.items() if k != "function" and k not in reserved}

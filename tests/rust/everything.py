@@ -255,7 +255,7 @@ class _Writer:
         lists = any("List<" in x.type or "VarText<" in x.type for x in self.members(f))
         return f.max_size <= 64 and not lists
 
-    def members(self, record: rust.Record) -> Iterator[Any]:
+    def members(self, record: m.Record) -> Iterator[Any]:
         for x in self.records.members(record):
             yield x
             for p in (x.parameter, *x.parameter.alternatives):
@@ -287,7 +287,7 @@ class _Writer:
         return found
 
     def call(
-        self, record: rust.Record, required: tuple[m.Parameter, ...], constructor: Constructor
+        self, record: m.Record, required: tuple[m.Parameter, ...], constructor: Constructor
     ) -> tuple[str, codec.Values]:
         """The call of a constructor, and the values that it must make."""
         arguments = [x.parameter.name for x in constructor.given]
@@ -313,7 +313,7 @@ class _Writer:
                 values[counter] = len(values[p.name])
         return f"{path(record)}::{constructor.name}({', '.join(written[n] for n in arguments)})", values
 
-    def literal(self, record: rust.Record) -> tuple[str, codec.Values]:
+    def literal(self, record: m.Record) -> tuple[str, codec.Values]:
         """A structure with all members, and its values."""
         members = {x.parameter.name: x for x in self.records.members(record)}
         values: codec.Values = {}
@@ -338,7 +338,7 @@ class _Writer:
             written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{path(record)} {{ {', '.join(written)} }}", values
 
-    def value(self, p: m.Parameter, record: rust.Record, values: codec.Values) -> tuple[str, Any]:
+    def value(self, p: m.Parameter, record: m.Record, values: codec.Values) -> tuple[str, Any]:
         """An expression, and the value that it stands for."""
         if p.derived:
             return "", None
@@ -365,7 +365,7 @@ class _Writer:
             return array, [v for _, v in items]
         return self.number(p)
 
-    def union(self, union: m.Union, record: rust.Record, tag: int) -> tuple[str, Any]:
+    def union(self, union: m.Union, record: m.Record, tag: int) -> tuple[str, Any]:
         case = next((c for c in union.cases if c.tag.value == tag), None)
         name = f"mip_protocol::{rust.home(record)}::{self.records.union(union, rust.home(record)).name}"
         if case is None:

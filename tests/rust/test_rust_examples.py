@@ -59,7 +59,7 @@ class _Writer:
                 yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
         yield f"assert_eq!(b.bytes(), {everything.data_literal(e.packet)});"
 
-    def record(self, record: rust.Record, values: dict[str, Any]) -> str:
+    def record(self, record: m.Record, values: dict[str, Any]) -> str:
         members = {x.parameter.name: x for x in self.records.members(record)}
         written = []
         for p in record.parameters:
@@ -73,7 +73,7 @@ class _Writer:
             written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{everything.path(record)} {{ {', '.join(written)} }}"
 
-    def value(self, p: m.Parameter, record: rust.Record, value: Any, siblings: dict[str, Any]) -> str:
+    def value(self, p: m.Parameter, record: m.Record, value: Any, siblings: dict[str, Any]) -> str:
         if p.struct:
             return self.record(p.struct, value)
         if p.union:

@@ -19,12 +19,11 @@ from .measures import default, limits
 from .parameters import case
 from .parts import bits, bits_place, type, value
 from .remarks import sources, uncertain
-from .texts import Fact, Record, Ref, Text, Thing, joined, measured, number, prose, quotation, say, topics
+from .texts import Fact, Ref, Text, Thing, joined, measured, number, prose, quotation, say, topics
 from .variants import difference, usual, variants
 
 __all__ = [
     "Fact",
-    "Record",
     "Ref",
     "Text",
     "Thing",
@@ -68,7 +67,7 @@ class _Composed:
             self.known[(id(f),)] = f, list(fields.facts(f, self.model))  # kept, so that nothing else has its identity
         return list(self.known[(id(f),)][1])
 
-    def parameter(self, p: m.Parameter, record: Record) -> list[Fact]:
+    def parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
         key = id(p), id(record)
         if key not in self.known:
             self.known[key] = (p, record), parameters.facts(p, record, self.model)
@@ -80,6 +79,6 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     return model.derived(_Composed).field(f)
 
 
-def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
+def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """The facts about a parameter, or the parameter of a union's case, besides its description."""
     return model.derived(_Composed).parameter(p, record)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from mipgen import model as m
 
 from . import descriptors
-from .texts import Fact, Record, Ref, Text, fact, interleaved, joined, number
+from .texts import Fact, Ref, Text, fact, interleaved, joined, number
 
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -70,7 +70,7 @@ def default(value: object, p: m.Parameter) -> Text:
     return (numeral(p, value) if isinstance(value, (int, float)) else str(value),)
 
 
-def validity(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str | None = None) -> Fact:
+def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: str | None = None) -> Fact:
     """The bit that says that a value is valid, or one for each element."""
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
@@ -80,7 +80,7 @@ def validity(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str
     return fact("valid", interleaved(each, ", "), "Each element has its own valid flag. {}.")
 
 
-def _bit(path: str, record: Record, device: str | None) -> Ref:
+def _bit(path: str, record: m.Record, device: str | None) -> Ref:
     """A bit of a sibling, by the type that it has on a device."""
     name, _, bit = path.partition(".")
     flags = next(q for q in record.parameters if q.name == name)

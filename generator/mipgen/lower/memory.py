@@ -11,8 +11,6 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
-from .presence import Record
-
 #: No machine that C runs on aligns numbers more than this, so no compiler leaves more bytes unused before a member.
 MAX_ALIGNMENT = 8
 
@@ -40,7 +38,7 @@ def widest(_place: int, _alignment: int) -> int:
     return MAX_ALIGNMENT - 1
 
 
-def members(record: Record) -> list[m.Parameter]:
+def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that have a member: no constants, and no unions without alternatives."""
     return [p for p in record.parameters if p.constant is None and (p.alternatives or not p.union)]
 
@@ -51,7 +49,7 @@ def largest(model: m.Model) -> int:
     return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
 
 
-def record(of: Record, gap: Gap = natural) -> Room:
+def record(of: m.Record, gap: Gap = natural) -> Room:
     """The memory of a structure."""
     rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
     for p in members(of):

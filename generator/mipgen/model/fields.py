@@ -10,7 +10,7 @@ from typing import Final, Literal
 from mipgen.read.position import Position
 
 from .parameters import Group, Parameter, groups
-from .types import Function, Source, Type
+from .types import Function, Source, Struct, Type
 
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
@@ -46,9 +46,24 @@ class Call:
     optional: tuple[Parameter, ...]  # may follow these: no function requires them
 
     @property
-    def asked(self) -> tuple[Parameter, ...]:
-        """What a caller must give: neither constants nor reserved values."""
+    def given(self) -> tuple[Parameter, ...]:
+        """What a caller must give who also fills in counters and tags: neither constants nor reserved values."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
+
+    @property
+    def values(self) -> tuple[Parameter, ...]:
+        """The same without counters, where an array knows its length."""
+        return tuple(p for p in self.given if p.counts is None)
+
+    @property
+    def unions(self) -> dict[str, Parameter]:
+        """Tag -> the union that it selects an alternative of: where a union knows its alternative, the tag follows."""
+        return {p.tag: p for p in self.required if p.tag}
+
+    @property
+    def addable(self) -> tuple[Parameter, ...]:
+        """The optional parameters that a caller may give."""
+        return tuple(p for p in self.optional if p.reserved is None and not p.derived)
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,8 +188,17 @@ class Field:
 
     def required(self, function: int | None = None) -> int:
         """How many parameters (the selector not counted) must be there; an unknown function requires none."""
-        value = function if self.selector else None
-        return next((len(c.required) for c in self.calls if (c.function and c.function.value) == value), 0)
+        return self.requires.get(function if self.selector else None, 0)
+
+    @cached_property
+    def requires(self) -> dict[int | None, int]:
+        """Function -> how many parameters must be there; None: it has no selector."""
+        return {c.function.value if c.function else None: len(c.required) for c in self.calls}
+
+    @cached_property
+    def present_with(self) -> dict[str, int]:
+        """Parameter -> how many are present when it is, for those that may be absent."""
+        return {p.name: group.last for group in self.groups for p in group.parameters}
 
     @property
     def optional(self) -> bool:
@@ -209,6 +233,10 @@ class Field:
                 constants.append((offset, p.octets))
             offset += p.size
         return tuple(constants)
+
+
+#: What has parameters.
+Record = Field | Struct
 
 
 @dataclass(frozen=True, slots=True)

@@ -171,6 +171,10 @@ class Struct:
         return ()
 
     @property
+    def present_with(self) -> dict[str, int]:
+        return {}
+
+    @property
     def optional(self) -> bool:
         return False
 

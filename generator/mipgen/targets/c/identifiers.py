@@ -13,7 +13,6 @@ from .direct import direct
 from .members import constructors, has_accessor, last_present
 from .names import (  # fmt: skip
     LANGUAGE,
-    Record,
     accessor,
     constant,
     field_name,
@@ -81,7 +80,7 @@ def of_field(f: m.Field) -> Iterator[Identifier]:
     yield from _members(f)
 
 
-def _members(record: Record) -> Iterator[Identifier]:
+def _members(record: m.Record) -> Iterator[Identifier]:
     scope = f"struct {record_name(record)}"
     for p in members(record):
         yield Identifier(scope, member(p.name), p.name, p.position)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import calls, presence
+from mipgen.lower import calls
 from mipgen.lower.memory import members
 
-from .names import Record, argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
+from .names import argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
 
 
-def declaration(p: m.Parameter, record: Record) -> str:
+def declaration(p: m.Parameter, record: m.Record) -> str:
     """A member: `float bias[3]`."""
     if p.element is None:
         return f"union {union_name(p, record)} {member(p.name)}"
@@ -32,8 +32,7 @@ def home(alternative: m.Parameter) -> str:
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
     """The optional parameters, each with the value of `present` when it is the last one that is there."""
-    numbers = presence.last(f)
-    return [(p, numbers[p.name]) for p in members(f) if p.optional and not p.counts]
+    return [(p, f.present_with[p.name]) for p in members(f) if p.optional and not p.counts]
 
 
 # --------------------------------------------------------------------------- constructors
@@ -57,7 +56,7 @@ def constructors(f: m.Field) -> list[Constructor]:
     return [_constructor(f, way) for way in calls.constructors(f)]
 
 
-def _constructor(f: m.Field, way: calls.Constructor) -> Constructor:
+def _constructor(f: m.Field, way: m.Call) -> Constructor:
     asked = tuple(p for p in members(f) if p in way.given)
     return Constructor(
         name=way.function.name if way.function else "make",

@@ -7,18 +7,16 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.emit.naming import upper
-from mipgen.lower import presence
 from mipgen.lower.memory import members
 
 from . import literals
 from .members import home
-from .names import Record, bare, field_name, member, record_name, union_name
+from .names import bare, field_name, member, record_name, union_name
 
 
 def required(f: m.Field) -> list[int]:
     """How many parameters each function requires, by its value."""
-    found = presence.required(f)
-    return [found.get(value, 0) for value in range(max(found) + 1)]
+    return [f.required(value) for value in range(max(x.value for x in f.functions) + 1)]
 
 
 # --------------------------------------------------------------------------- registry
@@ -87,7 +85,7 @@ def numbers(t: m.Enum) -> str:
     return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
 
 
-def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
+def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> str:
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
     item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
@@ -104,7 +102,7 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         str(p.capacity if p.length is not None else 1),
         str(len(p.elements) or 1),
         str(numbers.get(by or "", 0)),
-        str(0 if union else presence.last(record).get(p.name, 0)),
+        str(0 if union else record.present_with.get(p.name, 0)),
         literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
         *_place(p, record, union),
         f"&{names(item.named)}" if item.named else "NULL",
@@ -116,7 +114,7 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
     return ", ".join(row)
 
 
-def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[str, str]:
+def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, str]:
     """Where the member and the number of its items are."""
     if not union and p not in members(record):
         return "0, 0", "0"
@@ -141,7 +139,7 @@ def reflection(f: m.Field) -> str:
     return ", ".join(row)
 
 
-def readings(p: m.Parameter, record: Record) -> Iterator[str]:
+def readings(p: m.Parameter, record: m.Record) -> Iterator[str]:
     """The members of struct mip_reading: device, or index and value of the parameter that decides; and the names."""
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     for v in p.readings:

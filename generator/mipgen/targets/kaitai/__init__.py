@@ -94,7 +94,7 @@ def enums(model: m.Model) -> list[m.Enum]:
 def readings(model: m.Model) -> dict[str, list[str]]:
     """The parameters whose values have other names on each device, or by the value of another parameter."""
     found: dict[str, list[str]] = {"device": [], "parameter": []}
-    holders: list[expressions.Record] = [*m.structs(model.all_types)]
+    holders: list[m.Record] = [*m.structs(model.all_types)]
     for record in (*holders, *records(model)):
         for p in record.parameters:
             named = [v for v in p.variants if v.type is not None or v.unknown]
@@ -141,7 +141,7 @@ def _named(ref: describe.Ref) -> str:
             return ref.words
 
 
-def about(name: str, record: expressions.Record, model: m.Model) -> str:
+def about(name: str, record: m.Record, model: m.Model) -> str:
     """The documentation of a parameter, or of one in a union; empty if there is none."""
     everything = [q for p in record.parameters for q in (p, *p.alternatives)]
     p = next(q for q in everything if q.name == name)
@@ -193,7 +193,7 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
             yield from _attributes(t, scope, place)
 
 
-def _attributes(record: expressions.Record, scope: str, place: m.Position | None) -> Iterator[Named]:
+def _attributes(record: m.Record, scope: str, place: m.Position | None) -> Iterator[Named]:
     for p in record.parameters:
         yield scope, member(p.name), p.name, p.position or place
         within = f"the type {names.cases(member(p.name))} of {type_name(record)}"

@@ -11,8 +11,6 @@ from mipgen.lower.extent import Extent
 
 from .names import member, type_name, value
 
-Record = m.Field | m.Struct
-
 
 def least(parameters: Iterable[m.Parameter]) -> Extent:
     """The bytes that must be there, once counters are known."""
@@ -35,7 +33,7 @@ def _path(words: str) -> str:
 # --------------------------------------------------------------------------- counts
 
 
-def count(p: m.Parameter, record: Record) -> str:
+def count(p: m.Parameter, record: m.Record) -> str:
     """What a count must obey: the elements fit into the rest of the data, and into a field."""
     after = record.parameters[record.parameters.index(p) + 1 :]
     at = next(i for i, q in enumerate(after) if q.name == p.counts)
@@ -59,7 +57,7 @@ class Rest:
     each: int
 
 
-def rests(record: Record) -> list[Rest]:
+def rests(record: m.Record) -> list[Rest]:
     return [
         Rest(f"{member(p.name)}_count", p.name, extent.element(p))
         for p in record.parameters
@@ -97,7 +95,7 @@ def present(group: m.Group, f: m.Field) -> str:
     return " or ".join([*functions, f"({room})" if functions and " and " in room else room])
 
 
-def peeks(record: Record) -> list[Peek]:
+def peeks(record: m.Record) -> list[Peek]:
     """The tags that `present` reads ahead."""
     ahead: list[Peek] = []
     for group in record.groups:

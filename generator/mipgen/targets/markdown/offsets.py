@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.facts.describe import Record
 from mipgen.lower.extent import Extent, Term, exact
 
 #: Where a record begins.
@@ -21,7 +20,7 @@ class Row:
     offset: Extent
     size: Extent | None  # None: it reaches to the end of the field, or is a union
     parameter: m.Parameter | None  # None: the empty alternative of a union
-    record: Record  # the field or structure that it belongs to
+    record: m.Record  # the field or structure that it belongs to
     case: tuple[m.Case, m.Parameter] | None = None  # it is this alternative of that union
 
     def beside(self, name: str) -> str:
@@ -31,7 +30,7 @@ class Row:
         return ".".join([*around, name])
 
 
-def layout(record: Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
+def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
     """Every parameter at its place, with what is inside structures and unions."""
     for p in record.parameters:
         row = Row(prefix + p.name, at, exact(p, prefix), p, record)

@@ -5,20 +5,18 @@ from __future__ import annotations
 import math
 
 from mipgen import model as m
-from mipgen.lower.calls import Constructor, constructors, replies
+from mipgen.lower.calls import constructors, replies
 from mipgen.lower.runs import run
 
 from .names import SCALARS, constant, home, member, reference
 
-Record = m.Field | m.Struct
 
-
-def members(record: Record) -> list[m.Parameter]:
+def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that an object holds: the others follow from these."""
     return [p for p in record.parameters if not p.derived]
 
 
-def held(record: Record) -> tuple[str, ...]:
+def held(record: m.Record) -> tuple[str, ...]:
     """The names of the members."""
     return tuple(member(p.name) for p in members(record))
 
@@ -35,7 +33,7 @@ def sets(f: m.Field) -> str:
     return f"({', '.join(f'0x{n:02X}' for n in f.sets)},)"
 
 
-def annotation(p: m.Parameter, record: Record) -> str:
+def annotation(p: m.Parameter, record: m.Record) -> str:
     """The type of a parameter's value, where it is there."""
     one = _one(p, record)
     if not is_array(p):
@@ -55,7 +53,7 @@ def few_elements(p: m.Parameter) -> int:
     return p.capacity if plain and not p.open and p.capacity <= 4 else 0
 
 
-def _one(p: m.Parameter, record: Record) -> str:
+def _one(p: m.Parameter, record: m.Record) -> str:
     match p.element:
         case m.Scalar() as scalar:
             return "str" if scalar.kind == "char" and p.length is not None else SCALARS[scalar.name][1]
@@ -66,18 +64,18 @@ def _one(p: m.Parameter, record: Record) -> str:
             return reference(t, home(record))
 
 
-def hint(p: m.Parameter, record: Record) -> str:
+def hint(p: m.Parameter, record: m.Record) -> str:
     """The type of a member."""
     one = annotation(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
-def may_be_absent(p: m.Parameter, record: Record) -> bool:
+def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
     """Can the member be None because it was not sent? An unknown function requires nothing."""
     return not p.selector if record.selector else p.optional
 
 
-def default(p: m.Parameter, record: Record) -> str | None:
+def default(p: m.Parameter, record: m.Record) -> str | None:
     """The value of a member that the caller does not give."""
     if may_be_absent(p, record) or p.element is None:
         return "None"
@@ -91,18 +89,18 @@ def _reserved(p: m.Parameter) -> str:
     return repr((p.reserved,) * few) if few else f"({p.reserved},) * {p.length}"
 
 
-def keyword_only(p: m.Parameter, record: Record) -> bool:
+def keyword_only(p: m.Parameter, record: m.Record) -> bool:
     """A default before members without one: given by name only."""
     held = members(record)
     return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
 
 
-def by_place(record: Record) -> tuple[str, ...]:
+def by_place(record: m.Record) -> tuple[str, ...]:
     """The members that a caller may give by place."""
     return tuple(member(p.name) for p in members(record) if not keyword_only(p, record))
 
 
-def initial(record: Record) -> list[str]:
+def initial(record: m.Record) -> list[str]:
     """The parameters of the constructor."""
     found: list[str] = []
     by_name: list[str] = []
@@ -113,13 +111,13 @@ def initial(record: Record) -> list[str]:
     return [*found, "*", *by_name] if by_name else found
 
 
-def accepted(p: m.Parameter, record: Record) -> str:
+def accepted(p: m.Parameter, record: m.Record) -> str:
     """What a caller may give for a member."""
     one = _needed(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
-def _needed(p: m.Parameter, record: Record) -> str:
+def _needed(p: m.Parameter, record: m.Record) -> str:
     """The same for a member that is there: vectors can be made of any numbers, arrays of any sequence."""
     kinds = vectors(p)
     numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
@@ -128,7 +126,7 @@ def _needed(p: m.Parameter, record: Record) -> str:
     return f"{annotation(p, record)} | {numbers}" if kinds else annotation(p, record)
 
 
-def kept(p: m.Parameter, record: Record) -> str:
+def kept(p: m.Parameter, record: m.Record) -> str:
     """What the object holds of what a caller gave."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
     if kinds:
@@ -143,7 +141,7 @@ def vectors(p: m.Parameter) -> list[m.Vector]:
     return [p.element] if isinstance(p.element, m.Vector) else []
 
 
-def vector_members(record: Record) -> dict[str, list[str]]:
+def vector_members(record: m.Record) -> dict[str, list[str]]:
     """Members that are vectors -> the classes of which they may be, as Python writes them."""
     single = [p for p in members(record) if p.length is None and vectors(p)]
     return {member(p.name): [reference(v, home(record)) for v in vectors(p)] for p in single}
@@ -160,7 +158,7 @@ def columns(v: m.Vector) -> int:
     return count if count > 1 and places == list(v.elements) else 0
 
 
-def layout(record: Record) -> list[tuple[str, str, str]]:
+def layout(record: m.Record) -> list[tuple[str, str, str]]:
     """Member, letters of `struct`, and what makes the value from the numbers, if all of a record are numbers at
     fixed places; else nothing."""
     found = []
@@ -181,7 +179,7 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
     return found
 
 
-def decoded(record: Record) -> list[str]:
+def decoded(record: m.Record) -> list[str]:
     """What a decoder hands to the constructor: by place, then by name."""
     names = [(member(p.name), keyword_only(p, record)) for p in members(record)]
     return [n for n, by_name in names if not by_name] + [f"{n}={n}" for n, by_name in names if by_name]
@@ -190,13 +188,13 @@ def decoded(record: Record) -> list[str]:
 # --------------------------------------------------------------------------- constructors
 
 
-def parameters(way: Constructor, record: m.Field) -> list[str]:
+def parameters(way: m.Call, record: m.Field) -> list[str]:
     """The parameters of the constructor for a function: the required ones, then the optional ones."""
     asked = [f"{member(p.name)}: {_needed(p, record)}" for p in way.values]
     return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in way.addable]
 
 
-def arguments(way: Constructor) -> list[str]:
+def arguments(way: m.Call) -> list[str]:
     """What that constructor passes on, after the function."""
     found = []
     for p in way.required:

@@ -14,7 +14,6 @@ from mipgen.emit.naming import upper
 from mipgen.lower import extent
 from mipgen.lower.runs import Run, run
 
-from .members import Record
 from .names import SCALARS, home, member, reference
 
 
@@ -126,7 +125,7 @@ class Plan:
         return [s for s in self.steps if s.kind == "group"]
 
 
-def plan(record: Record) -> Plan:
+def plan(record: m.Record) -> Plan:
     planner = _Planner(record)
     always = planner.steps(record.always)
     groups = [Group(group.last, planner.steps(group.parameters)) for group in record.groups]
@@ -136,7 +135,7 @@ def plan(record: Record) -> Plan:
 class _Planner:
     """Joins neighbouring numbers into blocks and numbers these."""
 
-    def __init__(self, record: Record) -> None:
+    def __init__(self, record: m.Record) -> None:
         self.home = home(record)
         self.name = upper(record.name)
         self.capacities = {p.name: p.capacity for p in record.parameters}

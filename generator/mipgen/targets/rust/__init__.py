@@ -10,7 +10,7 @@ from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 
 from . import commands, docs, names, records, tables
-from .names import LANGUAGE, Record, constant, home, member, method, module, type_name, variant
+from .names import LANGUAGE, constant, home, member, method, module, type_name, variant
 from .records import Records
 
 #: The oldest Rust that builds the crate.
@@ -195,7 +195,7 @@ def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
             yield from _record(of, t, t.name)
 
 
-def _record(of: Records, record: Record, what: str) -> Iterator[Identifier]:
+def _record(of: Records, record: m.Record, what: str) -> Iterator[Identifier]:
     methods = f"the methods of {what}"
     for x in of.members(record):
         yield Identifier(what, x.name, x.parameter.name, x.parameter.position)

@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
 from mipgen.facts import describe
 
-from .names import Record, constant, home, member, method, module, path, type_name
+from .names import constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
 WIDTH = 100
@@ -43,11 +43,11 @@ class Docs:
         said, notes = self._facts(describe.field(f, self.model), home(f))
         return [f"{title(f)}.", self._prose(f.description, home(f)), said, *self._unheld(f), notes, sources(f)]
 
-    def parameter(self, p: m.Parameter, record: Record) -> tuple[str, str, list[str]]:
+    def parameter(self, p: m.Parameter, record: m.Record) -> tuple[str, str, list[str]]:
         said, notes = self._facts(describe.parameter(p, record, self.model), home(record))
         return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
 
-    def _unheld(self, record: Record) -> list[Block]:
+    def _unheld(self, record: m.Record) -> list[Block]:
         """What is on the wire and held by no member."""
         found: list[Block] = []
         for p in record.parameters:
@@ -85,13 +85,13 @@ class Docs:
 
     # ------------------------------------------------------------------ methods
 
-    def reading(self, r: Reading, record: Record) -> list[Block]:
+    def reading(self, r: Reading, record: m.Record) -> list[Block]:
         return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
 
     def conversion(self, c: Conversion) -> list[Block]:
         return [self._variants(c.reading, c.record, "types")]
 
-    def _variants(self, r: Reading, record: Record, here: str) -> str:
+    def _variants(self, r: Reading, record: m.Record, here: str) -> str:
         told = describe.variants(r.member.parameter, record, self.model)
         return self._facts([fact for group, fact in told if any(v in r.variants for v in group)], here)[0]
 

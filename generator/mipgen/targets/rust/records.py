@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import calls, extent, presence
+from mipgen.lower import calls, extent
 
 from .names import (
-    Record,
     constant,
     constants,
     constructor,
@@ -70,7 +69,7 @@ class Constructor:
 @dataclass(frozen=True, slots=True)
 class Union:
     name: str
-    record: Record  # that it is defined beside
+    record: m.Record  # that it is defined beside
     parameter: m.Parameter
     of: m.Union
 
@@ -108,7 +107,7 @@ class Conversion:
 
     of: m.Enum | m.Bitfield
     to: m.Enum | m.Bitfield
-    record: Record  # where it is read so first
+    record: m.Record  # where it is read so first
     reading: Reading
 
     @property
@@ -129,7 +128,7 @@ class Records:
                 if p.union and self._union(p.union, home(record)) is None:
                     self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p, p.union))
 
-    def all(self) -> Iterator[Record]:
+    def all(self) -> Iterator[m.Record]:
         yield from m.structs(self.model.types)
         yield self.model.protocol.acknowledge
         for family in self.model.families:
@@ -138,7 +137,7 @@ class Records:
 
     # ------------------------------------------------------------------ types
 
-    def unions_of(self, record: Record) -> list[Union]:
+    def unions_of(self, record: m.Record) -> list[Union]:
         return [u for u in self.unions if u.record is record]
 
     def union(self, of: m.Union, here: str) -> Union:
@@ -166,38 +165,37 @@ class Records:
 
     # ------------------------------------------------------------------ members
 
-    def members(self, record: Record) -> list[Member]:
+    def members(self, record: m.Record) -> list[Member]:
         found = self._members.get(id(record))
         if found is None:
             found = self._members[id(record)] = self._made(record)
         return found
 
-    def _made(self, record: Record) -> list[Member]:
-        absent = presence.last(record)
+    def _made(self, record: m.Record) -> list[Member]:
         return [
-            Member(member(p.name), self.rust(p, home(record)), p.name in absent, p)
+            Member(member(p.name), self.rust(p, home(record)), p.name in record.present_with, p)
             for p in record.parameters
             if not p.derived
         ]
 
-    def members_of(self, group: m.Group, record: Record) -> list[Member]:
+    def members_of(self, group: m.Group, record: m.Record) -> list[Member]:
         return [x for x in self.members(record) if x.parameter in group.parameters]
 
-    def derives(self, record: Record) -> list[str]:
+    def derives(self, record: m.Record) -> list[str]:
         """The traits that a record derives besides those of all records."""
         default = ["Default"] if self.derives_default(record) and not record.selector else []
         return sorted([*default, *_derives(record.parameters, record.max_size)])
 
-    def derives_default(self, record: Record) -> bool:
+    def derives_default(self, record: m.Record) -> bool:
         """Is the default of each member the one of its type?"""
         return all(x.default in ("None", DEFAULT) for x in self.members(record))
 
     # ------------------------------------------------------------------ constructors and setters
 
-    def constructors(self, record: Record) -> list[Constructor]:
+    def constructors(self, record: m.Record) -> list[Constructor]:
         return [self._constructor(record, way) for way in calls.constructors(record)]
 
-    def _constructor(self, record: Record, way: calls.Constructor) -> Constructor:
+    def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
         """The caller gives no reserved values, and no tag whose union is given."""
         given, values = [], []
         for x in self.members(record):
@@ -217,14 +215,14 @@ class Records:
         what = "the command from its parameters" if isinstance(record, m.Field) else "it from its values"
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
-    def settable(self, record: Record) -> list[Member]:
+    def settable(self, record: m.Record) -> list[Member]:
         """What a caller may add to a command."""
         command = isinstance(record, m.Field) and record.role == m.COMMAND
         return [x for x in self.members(record) if command and x.parameter.optional]
 
     # ------------------------------------------------------------------ readings
 
-    def readings(self, record: Record) -> list[Reading]:
+    def readings(self, record: m.Record) -> list[Reading]:
         """One for each type that names the values of a member, on a device or beside a value of a sibling."""
         here, members = home(record), {x.parameter.name: x for x in self.members(record)}
         found = []
@@ -240,12 +238,12 @@ class Records:
 
     def needs(self, family: m.Family) -> list[str]:
         """The features of the families whose types the fields of a family have."""
-        records: list[Record] = [*family.fields, *m.structs(family.types)]
+        records: list[m.Record] = [*family.fields, *m.structs(family.types)]
         used = [t for record in records for t in self._types(record)]
         used += [b.enum for t in (*family.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
         return sorted({home(t) for t in used} - {"types", module(family.name)})
 
-    def _types(self, record: Record) -> Iterator[m.Type]:
+    def _types(self, record: m.Record) -> Iterator[m.Type]:
         yield from (v.type for p in record.parameters for v in p.readings if v.type)
         yield from (t for p in _parts(record.parameters) if (t := p.named or p.struct))
 
@@ -285,7 +283,7 @@ def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
         yield from _parts(p.inside)
 
 
-def is_sequence(record: Record) -> bool:
+def is_sequence(record: m.Record) -> bool:
     """Has it just its members on the wire, one after another?"""
     special = any(p.kind in ("constant", "counter", "switch") or p.selector for p in record.parameters)
     return not special and not record.groups and all(member(p.name) == p.name for p in record.parameters)

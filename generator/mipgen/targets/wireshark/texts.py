@@ -7,8 +7,6 @@ from collections.abc import Iterable
 from mipgen import model as m
 from mipgen.facts import describe
 
-Record = m.Field | m.Struct
-
 #: What the tree shows itself, or does not help to read a packet.
 _LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional", "note", "uncertain")
 
@@ -39,7 +37,7 @@ def field_doc(f: m.Field, model: m.Model) -> str:
     return _plain(describe.prose(f.description, model))
 
 
-def parameter_doc(p: m.Parameter, record: Record, model: m.Model) -> str:
+def parameter_doc(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
     return " ".join(filter(None, (_plain(describe.prose(p.description, model)), *(_plain(f.sentence) for f in facts))))
 
