@@ -176,7 +176,7 @@ def test_a_tag_follows_from_its_union() -> None:
 
 
 def test_only_hosts_make_commands() -> None:
-    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == []
+    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == ()
     assert [w.function for t in INVENTED.all_types if isinstance(t, m.Struct) for w in calls.constructors(t)]
 
 
