@@ -161,7 +161,7 @@ def parse_as(version: str, folder: Path) -> None:
 def sent(p: m.Parameter) -> Any:
     """What stands in place of a reserved parameter, in the form of the conformance protocol."""
     value = p.reserved if p.length is None else [p.reserved] * int(p.length)
-    return codec.canonical(p.operation, value, p.name)
+    return codec.canonical(p, value, p.name)
 
 
 @dataclass(frozen=True)

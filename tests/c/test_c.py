@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -170,35 +170,30 @@ def test_a_cpp_program(pair: str, tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- constructors
 
 
-def sample(op: m.Operation, values: dict[str, Any], case: int) -> Any:
+def sample(p: m.Parameter, values: dict[str, Any], case: int) -> Any:
     """A value that is unlike zero; `case`: which alternative of unions and enumerations."""
-    match op:
-        case m.ScalarOp(type=m.Enum() as e):
-            return e.values[case % len(e.values)].value
-        case m.ScalarOp(scalar=scalar):
-            return {4: "0x3fc00000", 8: "0x3ff8000000000000"}[scalar.size] if scalar.kind == "float" else 1 + case
-        case m.BitsOp():
-            return list(range(1, op.size + 1))
-        case m.TextOp():
-            return "Text of a device"[: op.count or 5].ljust(op.count or 5, "x")
-        case m.ArrayOp():
-            return [sample(op.item, {}, case + i) for i in range(op.count or 2)]
-        case m.StructOp():
-            return record(op.struct.operations, op.struct.parameters, case)
-        case m.SwitchOp():
-            chosen = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
-            if chosen is None or chosen.operation is None:
-                return {}
-            return {chosen.operation.member: sample(chosen.operation, {}, case)}  # type: ignore[union-attr]
-    raise AssertionError(op)
+    if p.struct:
+        return record(p.struct.parameters, p.struct.parameters, case)
+    if p.union:
+        chosen = (c.parameter for c in p.cases if c.parameter and c.tag.value == values[p.union.tag])
+        return {q.name: sample(q, {}, case) for q in chosen}
+    if p.kind == "bits":
+        return list(range(1, p.size + 1))
+    if p.kind == "text":
+        return "Text of a device"[: p.count or 5].ljust(p.count or 5, "x")
+    if p.kind == "array":
+        return [sample(p.item, {}, case + i) for i in range(p.count or 2)]
+    if isinstance(p.named, m.Enum):
+        return p.named.values[case % len(p.named.values)].value
+    return {4: "0x3fc00000", 8: "0x3ff8000000000000"}[p.size] if p.scalar.kind == "float" else 1 + case
 
 
-def record(operations: tuple[m.Operation, ...], parameters: tuple[m.Parameter, ...], case: int) -> dict[str, Any]:
+def record(some: Iterable[m.Parameter], parameters: tuple[m.Parameter, ...], case: int) -> dict[str, Any]:
+    """Values of some of the parameters of a record."""
     values: dict[str, Any] = {}
-    for op in operations:
-        if not isinstance(op, (m.ConstantOp, m.GroupOp)):
-            counted = isinstance(op, m.CounterOp)
-            values[op.member] = 2 if counted else sample(op, values, case)
+    for p in some:
+        if p.constant is None:
+            values[p.name] = 2 if p.counts else sample(p, values, case)
     for p in parameters:
         if p.name in values and isinstance(p.element, m.Scalar) and p.element.kind == "char" and p.counts is None:
             for q in parameters:
@@ -214,12 +209,10 @@ def constructed(of: m.Model) -> Iterator[tuple[m.Field, Any, dict[str, Any]]]:
     for f in of.fields:
         for made in members.constructors(f):
             required = f.required(made.function.value if made.function else None)
-            groups = [g for g in f.operations if isinstance(g, m.GroupOp) and g.last <= required]
-            plain = [o for o in f.operations if not isinstance(o, m.GroupOp)]
-            operations = (*plain, *(o for g in groups for o in g.body))
+            there = (*f.always, *(p for g in f.groups if g.last <= required for p in g.parameters))
             cases = max([len(p.cases) for p in f.parameters] + [1])
             for case in range(cases):
-                values = record(operations, f.parameters, case)
+                values = record(there, f.parameters, case)
                 if made.function:
                     values["function"] = made.function.value
                 yield f, made, values
@@ -297,7 +290,7 @@ def test_every_direct_decoder(compiler: str, spec: str, tmp_path: Path) -> None:
     of = model(spec)
     fields = [f for f in (of.protocol.acknowledge, *of.fields) if direct.direct(f)]
     never_varies = [f for f in of.fields if f.min_size == f.max_size > 0]
-    never_varies = [f for f in never_varies if not any(isinstance(op, m.ConstantOp) for op in f.operations)]
+    never_varies = [f for f in never_varies if not any(p.constant is not None for p in f.parameters)]
     assert len(fields) >= len(never_varies) > 0
     program = written(tmp_path / "direct.c", of, [direct_check(f, of) for f in fields], RANDOM_FIELD)
     run(build(tmp_path, compiler, spec, program, *SANITIZE))

@@ -72,9 +72,7 @@ static bool is_sent(uint8_t set, uint8_t descriptor, const char *hex) {
 
 def full(f: m.Field) -> str:
     """A response with all of its parameters, encoded."""
-    groups = [op for op in f.operations if isinstance(op, m.GroupOp)]
-    plain = [op for op in f.operations if not isinstance(op, m.GroupOp)]
-    return codec.encode(f, record((*plain, *(o for g in groups for o in g.body)), f.parameters, 0)).hex()
+    return codec.encode(f, record(f.parameters, f.parameters, 0)).hex()
 
 
 def check(f: m.Field, call: calls.Call, arguments: list[str], data: str, outcome: str, before: str = "") -> str:
@@ -130,7 +128,7 @@ def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
             if call.value == "NULL":
                 yield call.name, check(f, call, [], codec.encode(f, {}).hex(), outcome(f, call, None, {}, of))
             elif not members.constructors(f):  # all is reserved
-                yield call.name, filled(f, call, record(f.operations, f.parameters, 0), ["&x"], "MIP_ACKNOWLEDGED")
+                yield call.name, filled(f, call, record(f.always, f.parameters, 0), ["&x"], "MIP_ACKNOWLEDGED")
     for f, made, values in constructed(of):
         name = names.field_name(f)
         for call in calls.calls(f, of):

@@ -196,7 +196,7 @@ def wanted_responses(of: m.Model, command: m.Field, values: dict[str, Any]) -> l
 
 def fits(of: m.Model, layout: m.Field, data: bytes) -> bool:
     """Can the data have this layout of their descriptor, as far as they reach?"""
-    constants = (value.to_bytes(size, "big").startswith(data[at : at + size]) for at, size, value in layout.signature)
+    constants = (constant.startswith(data[at : at + len(constant)]) for at, constant in layout.signature)
     return len(of.layouts(layout)) == 1 or (len(data) in of.sizes(layout) and all(constants))
 
 

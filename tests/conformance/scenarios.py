@@ -27,8 +27,8 @@ def values_of(f: m.Field, function: str = "", **given: int) -> dict[str, Any]:
     data = bytearray(f.max_size if f.role == m.COMMAND else f.min_size)
     if function:
         data[0] = next(x.value for x in f.functions if x.letter == function)
-    for at, op in f.constants:
-        data[at : at + op.size] = op.value.to_bytes(op.size, "big")
+    for at, constant in f.signature:
+        data[at : at + len(constant)] = constant
     return codec.decode(f, bytes(data))[0] | given
 
 

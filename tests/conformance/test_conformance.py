@@ -188,9 +188,9 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
         if len(of.layouts(f)) == 1:
             continue
         head = bytearray(f.min_size)
-        for at, size, value in f.signature:
-            head[at : at + size] = value.to_bytes(size, "big")
-        wrong = [head[:at] + bytes([head[at] ^ 0x40]) + head[at + 1 :] for at, _, _ in f.signature]
+        for at, constant in f.signature:
+            head[at : at + len(constant)] = constant
+        wrong = [head[:at] + bytes([head[at] ^ 0x40]) + head[at + 1 :] for at, _ in f.signature]
         for start in (head, *wrong):
             for n in range(m.MAX_FIELD_DATA + 1):
                 data = bytes(start[:n].ljust(n, b"\1"))
@@ -235,13 +235,13 @@ def test_counts_at_and_beyond_what_a_field_holds(language: str, spec: str) -> No
     """The fullest field decodes; one element more is a wrong count, though its bytes are there."""
     of, requests, wanted = model(spec), [], []
     for f in all_fields(of):
-        for op in f.operations:
-            if isinstance(op, (m.ArrayOp, m.TextOp)) and op.counter and f.operations[0].member == op.counter:  # type: ignore[union-attr]
-                for count in (op.capacity - 1, op.capacity, op.capacity + 1):
-                    size = f.max_size if count <= op.capacity else 253
+        for p in f.always:
+            if p.counter and f.parameters[0].name == p.counter:
+                for count in (p.capacity - 1, p.capacity, p.capacity + 1):
+                    size = f.max_size if count <= p.capacity else 253
                     data = bytes([count]) + bytes(size - 1)
                     requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
-                    wanted.append("count" if count > op.capacity else None)
+                    wanted.append("count" if count > p.capacity else None)
     answers = compare(language, spec, requests)
     assert [a["fields"][0].get("error") for a in answers] == wanted
     assert wanted or spec == "real"
@@ -255,8 +255,8 @@ def samples(f: Any, chance: random.Random) -> list[bytes]:
         data = bytearray(chance.randrange(4) for _ in range(size))
         if function is not None:
             data[0] = function
-        for at, op in f.constants:
-            data[at : at + op.size] = op.value.to_bytes(op.size, "big")
+        for at, constant in f.signature:
+            data[at : at + len(constant)] = constant
         try:
             values, _ = codec.decode(f, bytes(data))
             found.append(codec.encode(f, values))
@@ -326,7 +326,7 @@ def faults(f: Any, values: dict[str, Any]) -> list[dict[str, Any]]:
     for p in f.parameters:
         if p.tag and p.name in values:
             for other in p.cases:
-                if other.tag.value != values[p.tag] and other.operation is not None:
+                if other.tag.value != values[p.tag] and other.parameter is not None:
                     found.append({**values, p.tag: other.tag.value})
                     break
     return found

@@ -118,11 +118,11 @@ class Place:
     path: str
     prefix: str  # of its record
     parameter: m.Parameter | None  # None: an empty alternative
-    record: describe.Record
+    record: m.Record
     case: tuple[m.Case, m.Parameter] | None = None
 
 
-def places(record: describe.Record, prefix: str = "", depth: int = 0) -> Iterator[Place]:
+def places(record: m.Record, prefix: str = "", depth: int = 0) -> Iterator[Place]:
     """All parameters of a record with those of the structures and unions in it."""
     for p in record.parameters:
         yield Place(prefix + p.name, prefix, p, record)

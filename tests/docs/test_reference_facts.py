@@ -130,7 +130,7 @@ def test_every_fact_of_a_parameter(manual: Manual) -> None:
             check_parameters(manual, t, manual.type(t))
 
 
-def check_parameters(manual: Manual, record: describe.Record, section: str) -> None:
+def check_parameters(manual: Manual, record: m.Record, section: str) -> None:
     rows = table_with(section, "Offset", "Name")
     listed = list(places(record))
     assert [words(row["Name"]) for row in rows] == [place.path for place in listed]

@@ -26,7 +26,7 @@ class Filler:
         for p in parameters:
             path = prefix + p.name
             if p.counts or p.name in tags:
-                assert isinstance(p.operation, (m.CounterOp, m.ScalarOp))
+                assert p.kind in ("counter", "scalar")
                 value = self.random.randrange(3)
                 if p.name in tags:
                     union = next(q for q in parameters if q.tag == p.name)
@@ -34,51 +34,45 @@ class Filler:
                 else:
                     self.counts[path] = value
                 values[p.name] = value
-                self.bytes[path] = value.to_bytes(p.operation.size, "big")
+                self.bytes[path] = value.to_bytes(p.size, "big")
             elif p.constant is not None:
-                assert isinstance(p.operation, m.ConstantOp)
-                self.bytes[path] = p.constant.to_bytes(p.operation.size, "big")
+                self.bytes[path] = p.constant.to_bytes(p.size, "big")
             elif p.tag:
                 case = next(c for c in p.cases if c.tag.value == values[p.tag])
                 q = case.parameter
-                values[p.name] = {q.name: self.one(q.operation, f"{path}.{q.name}", None)} if q else {}
+                values[p.name] = {q.name: self.one(q, f"{path}.{q.name}", None)} if q else {}
                 self.bytes[path] = self.bytes[f"{path}.{q.name}"] if q else b""
             else:
                 counter = counters.get(p.name)
-                values[p.name] = self.one(p.operation, path, values[counter] if counter else None)
+                values[p.name] = self.one(p, path, values[counter] if counter else None)
         return values
 
-    def one(self, op: m.Operation, path: str, count: int | None) -> Any:
-        match op:
-            case m.ScalarOp() | m.BitsOp():
-                raw = self.random.randbytes(op.size)
-                self.bytes[path] = raw
-                if isinstance(op, m.BitsOp):
-                    return list(raw)
-                if op.scalar.kind == "float":
-                    return "0x" + raw.hex()
-                return int.from_bytes(raw, "big", signed=op.scalar.kind == "signed")
-            case m.TextOp():
-                n = self.elements(op, count)
-                self.bytes[path] = self.random.randbytes(n)
-                return self.bytes[path].decode("latin-1")
-            case m.ArrayOp():
-                n = self.elements(op, count)
-                found = [self.one(op.item, f"{path}[{i}]", None) for i in range(n)]
-                self.bytes[path] = b"".join(self.bytes.pop(f"{path}[{i}]") for i in range(n))
-                return found
-            case m.StructOp():
-                before = set(self.bytes)
-                found_ = self.record(op.struct.parameters, f"{path}.")
-                new = [k for k in self.bytes if k not in before]
-                inner = [f"{path}.{p.name}" for p in op.struct.parameters]
-                self.bytes[path] = b"".join(self.bytes[k] for k in new if k in inner)
-                return found_
-        raise AssertionError(op)
+    def one(self, p: m.Parameter, path: str, count: int | None) -> Any:
+        if p.struct:
+            before = set(self.bytes)
+            values = self.record(p.struct.parameters, f"{path}.")
+            new = [k for k in self.bytes if k not in before]
+            inner = [f"{path}.{q.name}" for q in p.struct.parameters]
+            self.bytes[path] = b"".join(self.bytes[k] for k in new if k in inner)
+            return values
+        if p.kind == "text":
+            self.bytes[path] = self.random.randbytes(self.elements(p, count))
+            return self.bytes[path].decode("latin-1")
+        if p.kind == "array":
+            n = self.elements(p, count)
+            items = [self.one(p.item, f"{path}[{i}]", None) for i in range(n)]
+            self.bytes[path] = b"".join(self.bytes.pop(f"{path}[{i}]") for i in range(n))
+            return items
+        raw = self.bytes[path] = self.random.randbytes(p.size)
+        if p.kind == "bits":
+            return list(raw)
+        if p.scalar.kind == "float":
+            return "0x" + raw.hex()
+        return int.from_bytes(raw, "big", signed=p.scalar.kind == "signed")
 
-    def elements(self, op: m.TextOp | m.ArrayOp, count: int | None) -> int:
-        if op.count is not None or count is not None:
-            return op.count if op.count is not None else int(count or 0)
+    def elements(self, p: m.Parameter, count: int | None) -> int:
+        if p.count is not None or count is not None:
+            return p.count if p.count is not None else int(count or 0)
         self.counts["rest"] = self.random.randrange(3)
         return self.counts["rest"]
 

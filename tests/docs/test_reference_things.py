@@ -214,22 +214,16 @@ def sizes(f: m.Field) -> tuple[int, int]:
     """The lengths of the shortest form of a field and of the longest."""
     if f.role != m.COMMAND:
         return f.min_size + 2, f.max_size + 2
-    plain = [o for o in f.operations if not isinstance(o, m.GroupOp)]
-    shortest = []
-    for c in f.calls:
-        names = {p.name for p in c.required}
-        groups = [o for g in f.operations if isinstance(g, m.GroupOp) for o in g.body if o.member in names]  # type: ignore[union-attr]
-        shortest.append(sum(least(o) for o in (*plain, *groups)))
-    return min(shortest) + 2, f.max_size + 2
+    shortest = min(sum(least(p) for p in f.parameters if p in f.always or p in c.required) for c in f.calls)
+    return shortest + 2, f.max_size + 2
 
 
-def least(op: m.Operation) -> int:
-    match op:
-        case m.TextOp() | m.ArrayOp() if op.count is None:
-            return 0
-        case m.SwitchOp():
-            return min(extent.size(c.operation)[0] if c.operation else 0 for c in op.cases)
-    return extent.size(op)[0]
+def least(p: m.Parameter) -> int:
+    if p.open:
+        return 0
+    if p.cases:
+        return min(extent.size(c.parameter)[0] if c.parameter else 0 for c in p.cases)
+    return extent.size(p)[0]
 
 
 def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:

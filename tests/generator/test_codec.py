@@ -153,7 +153,7 @@ def test_layouts_are_told_apart_by_their_constants_then_by_size(head: str, chose
     for size in range(3, m.MAX_FIELD_DATA + 1):
         f = codec.choose(STATUS, bytes.fromhex(head).ljust(size, b"\0"))
         assert (f.name if f else None) == chosen[max(n for n in chosen if n <= size)], size
-        values = [(0, 2, int(head[:4], 16)), (2, 1, int(head[4:], 16))]
+        values = [(0, bytes.fromhex(head[:4])), (2, bytes.fromhex(head[4:]))]
         assert [g for g in STATUS if list(g.signature) == values and size in MODEL.sizes(g)] == ([f] if f else [])
 
 
@@ -179,7 +179,7 @@ def test_data_that_end_before_a_constant_do_not_speak_against_a_layout() -> None
     ],
 )  # fmt: skip
 def test_values_as_people_write_them(name: str, stated: dict[str, Any], canonical: dict[str, Any]) -> None:
-    assert codec.canonical_record(field(name).operations, stated, name) == canonical
+    assert codec.canonical_record(field(name).parameters, stated, name) == canonical
 
 
 @pytest.mark.parametrize(
@@ -199,4 +199,4 @@ def test_values_as_people_write_them(name: str, stated: dict[str, Any], canonica
 )  # fmt: skip
 def test_values_that_mean_nothing(name: str, stated: Any) -> None:
     with pytest.raises(ValueError, match=name):
-        codec.canonical_record(field(name).operations, stated, name)
+        codec.canonical_record(field(name).parameters, stated, name)

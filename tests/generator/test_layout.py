@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from mipgen import model as m
-from mipgen.lower.operations import open_ended
+from mipgen.resolve.layout import open_ended
 from small_specs import field, load
 from support import model
 
@@ -18,7 +18,7 @@ def invented(name: str) -> m.Field:
 
 
 def kinds(f: m.Field) -> list[str]:
-    return [op.kind for op in f.operations]
+    return [*(p.kind for p in f.always), *("group" for _ in f.groups)]
 
 
 @pytest.mark.parametrize(
@@ -57,27 +57,26 @@ def test_sizes(parameters: str, least: int, most: int) -> None:
     ],
 )
 def test_capacities(parameters: str, capacity: int) -> None:
-    op = next(p.operation for p in field(parameters).parameters if p.name == "a")
-    assert isinstance(op, (m.ArrayOp, m.TextOp)) and op.capacity == capacity
+    (p,) = (p for p in field(parameters).parameters if p.name == "a")
+    assert p.several and p.capacity == capacity
 
 
 def test_the_selector_takes_a_byte_of_the_capacity() -> None:
     f = field("[{name: a, type: u8, count: rest, for: W}]", functions="W")
-    op = f.parameters[1].operation
-    assert isinstance(op, m.ArrayOp) and op.capacity == 252
+    assert f.parameters[1].kind == "array" and f.parameters[1].capacity == 252
 
 
 def test_an_open_array_in_a_case_has_the_room_that_is_left() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
-    op = f.parameters[1].cases[1].operation
-    assert isinstance(op, m.ArrayOp) and op.capacity == 126
+    (open_array,) = f.parameters[1].alternatives
+    assert open_array.kind == "array" and open_array.capacity == 126
 
 
 def test_required_by_function() -> None:
     f = invented("tools.settings")
     assert {n: f.required(n) for n in (1, 2, 3, 4, 5, 6, 9)} == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3, 9: 0}
     assert kinds(f) == ["scalar"] + ["group"] * 5
-    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(i, i) for i in range(1, 6)]
+    assert [(g.first, g.last) for g in f.groups] == [(i, i) for i in range(1, 6)]
     assert (f.min_size, f.max_size) == (1, 10)
     assert f.parameters[0].selector and len(f.counted) == 5
     assert m.letters(f.parameters[3].required_for) == "WA" and f.parameters[4].optional
@@ -91,8 +90,7 @@ def test_as_command_drops_selector_and_presence() -> None:
 
 def test_a_counter_and_its_array_are_one_group() -> None:
     f = invented("tools.list")
-    groups = [op for op in f.operations if isinstance(op, m.GroupOp)]
-    assert [(g.first, g.last, [op.kind for op in g.body]) for g in groups] == [(1, 2, ["counter", "array"])]
+    assert [(g.first, g.last, [p.kind for p in g.parameters]) for g in f.groups] == [(1, 2, ["counter", "array"])]
     assert f.parameters[1].counts == "items" and [f.required(n) for n in (1, 2, 3)] == [2, 0, 0]
 
 
@@ -102,20 +100,20 @@ def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
         " {name: b, type: u8, count: k, for: W}, {name: z, type: u8, for: W}]",
         functions="W",
     )
-    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(1, 4), (5, 5)]
+    assert [(g.first, g.last) for g in f.groups] == [(1, 4), (5, 5)]
 
 
 def test_optional_without_selector() -> None:
     f = invented("measurements.growing")
     assert kinds(f) == ["scalar", "group", "group"] and f.required() == 1 and f.functions == ()
-    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(2, 2), (3, 3)]
+    assert [(g.first, g.last) for g in f.groups] == [(2, 2), (3, 3)]
 
 
 def test_constants_have_offsets() -> None:
     f = invented("tools.status_long")
-    assert [(at, op.value, op.size) for at, op in f.constants] == [(0, 4711, 2), (2, 2, 1)]
+    assert f.signature == ((0, (4711).to_bytes(2, "big")), (2, b"\x02"))
     f = field("[{name: n, type: char, count: 2}, {name: c, type: u8, const: 1}]")
-    assert f.constants == ()
+    assert f.signature == ()
 
 
 def test_bits() -> None:
@@ -226,7 +224,7 @@ def test_calls() -> None:
     assert [p.name for p in write.optional] == ["limit", "reserved"] == [p.name for p in apply.optional]
     assert [p.name for p in read.required] == ["port", "mode"] and read.optional == ()
     (only,) = invented("tools.status").calls
-    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.asked] == ["selector"]
+    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.given] == ["selector"]
     (growing,) = invented("measurements.growing").calls
     assert len(growing.required) == 1 and len(growing.optional) == 2
 
@@ -363,8 +361,8 @@ def test_positions_are_those_of_the_file() -> None:
 
 
 def test_open_ended() -> None:
-    u8 = m.ScalarOp("a", m.SCALARS["u8"], None, 1)
-    assert open_ended(m.ArrayOp("a", u8, None, None, 5)) and not open_ended(m.ArrayOp("a", u8, None, "n", 5))
+    u8 = m.SCALARS["u8"]
+    assert open_ended(m.Parameter("a", u8, m.REST)) and not open_ended(m.Parameter("a", u8, "n"))
 
 
 def test_a_field_may_be_full() -> None:

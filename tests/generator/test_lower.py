@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from mipgen.lower import calls, codec, extent, memory, presence, runs
+from mipgen.lower import calls, codec, extent, memory, runs
 from mipgen.lower.extent import Extent
 from small_specs import field
 from support import model
@@ -35,34 +35,32 @@ def invented(name: str) -> m.Field:
     ],
 )
 def test_extents(parameters: str, formulas: list[str]) -> None:
-    operations = [p.operation for p in field(parameters).parameters]
-    assert [str(e) for e in extent.totals(operations, Extent())] == formulas
+    assert [str(e) for e in extent.totals(field(parameters).parameters, Extent())] == formulas
 
 
 def test_a_counter_inside_a_structure_has_its_path() -> None:
     f = field(
         "[{name: a, type: tail}]", types="{tail: {struct: [{name: n, type: u8}, {name: b, type: u16, count: n}]}}"
     )
-    assert str(extent.exact(f.parameters[0].operation, "it.")) == "1 + 2*it.a.n"
-    assert extent.size(f.parameters[0].operation) == (1, 253)
+    assert str(extent.exact(f.parameters[0], "it.")) == "1 + 2*it.a.n"
+    assert extent.size(f.parameters[0]) == (1, 253)
 
 
 def test_what_has_no_exact_extent() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
     union = f.parameters[1]
-    assert extent.exact(union.operation) is None
-    assert union.cases[1].operation is not None and extent.exact(union.cases[1].operation) is None
-    assert extent.size(union.operation) == (0, 252)
+    assert extent.exact(union) is None and extent.exact(union.alternatives[0]) is None
+    assert extent.size(union) == (0, 252)
 
 
 def test_an_unknown_tag_has_no_data() -> None:
     f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {type: u16}, fast: {type: u32}}}]")
-    assert [e.fixed for e in extent.extents(f.parameters[1].operation)] == [2, 4]
-    assert extent.shortest([f.parameters[1].operation]) == Extent()
+    assert [e.fixed for e in extent.extents(f.parameters[1])] == [2, 4]
+    assert extent.shortest([f.parameters[1]]) == Extent()
 
 
 def test_no_field_is_larger_than_the_largest() -> None:
-    assert extent.most([m.TextOp("a", 200, None, 200)] * 2) == m.MAX_FIELD_DATA
+    assert extent.most([m.Parameter("a", m.SCALARS["char"], 200)] * 2) == m.MAX_FIELD_DATA
     assert all(f.max_size <= m.MAX_FIELD_DATA for f in INVENTED.fields)
 
 
@@ -104,7 +102,7 @@ def starts(each: list[runs.Run]) -> Iterator[int]:
 def bytes_of(r: runs.Run, value: Any) -> bytes:
     if isinstance(value, str) and r.scalar.kind == "char":
         return value.encode("latin-1")
-    one = m.ScalarOp("item", r.scalar, None, r.scalar.size)
+    one = m.Parameter("item", r.scalar, None)
     return b"".join(codec.put(one, v) for v in (value if r.count is not None else [value]))
 
 
@@ -126,9 +124,9 @@ def test_what_varies_or_is_checked_has_no_runs(parameters: str) -> None:
 
 def test_presence() -> None:
     f = invented("tools.settings")
-    assert presence.required(f) == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
-    assert presence.last(f) == {op.member: g.last for g in presence.groups(f) for op in g.body}
-    assert [op.member for op in presence.single(f.operations)] == [p.name for p in f.parameters]
+    assert f.requires == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+    assert f.present_with == {p.name: g.last for g in f.groups for p in g.parameters}
+    assert f.always + tuple(p for g in f.groups for p in g.parameters) == f.parameters
 
 
 # --------------------------------------------------------------------------- memory
@@ -178,7 +176,7 @@ def test_a_tag_follows_from_its_union() -> None:
 
 
 def test_only_hosts_make_commands() -> None:
-    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == []
+    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == ()
     assert [w.function for t in INVENTED.all_types if isinstance(t, m.Struct) for w in calls.constructors(t)]
 
 

@@ -45,27 +45,24 @@ def built(page: browser.Page, f: m.Field, number: int, values: dict[str, Any]) -
     """What the page shows; counters have no input."""
     given = {k: v for k, v in values.items() if k != "function" or not f.functions}
     selector = str(values["function"]) if f.functions else None
-    arguments = [f.full_name, number, selector, texts(uncounted(f.operations, given))]
+    arguments = [f.full_name, number, selector, texts(uncounted(f.parameters, given))]
     return page.run(f"fill({', '.join(json.dumps(a) for a in arguments)})")
 
 
-def uncounted(operations: tuple[m.Operation, ...], values: Any) -> Any:
+def uncounted(parameters: tuple[m.Parameter, ...], values: Any) -> Any:
     """Values without those that the page counts itself."""
     left = dict(values)
-    for op in [x for o in operations for x in (o.body if isinstance(o, m.GroupOp) else (o,))]:
-        name = op.member if not isinstance(op, m.GroupOp) else ""
-        if name not in left:
+    for p in parameters:
+        if p.name not in left:
             continue
-        match op:
-            case m.CounterOp():
-                del left[name]
-            case m.StructOp():
-                left[name] = uncounted(op.struct.operations, left[name])
-            case m.ArrayOp(item=m.StructOp() as item):
-                left[name] = [uncounted(item.struct.operations, one) for one in left[name]]
-            case m.SwitchOp():
-                inner = tuple(c.operation for c in op.cases if c.operation and c.operation.member in left[name])[:1]  # type: ignore[union-attr]
-                left[name] = uncounted(inner, left[name])
+        if p.counts:
+            del left[p.name]
+        elif p.struct:
+            left[p.name] = uncounted(p.struct.parameters, left[p.name])
+        elif p.item.struct:
+            left[p.name] = [uncounted(p.item.struct.parameters, one) for one in left[p.name]]
+        elif p.union:
+            left[p.name] = uncounted(tuple(q for q in p.alternatives if q.name in left[p.name])[:1], left[p.name])
     return left
 
 

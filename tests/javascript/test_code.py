@@ -80,34 +80,30 @@ class Given(SampleValues):
         return [c for c in f.calls if (c.function and c.function.value) == function]
 
 
-def writable(op: m.Operation, value: Any) -> Any:
+def writable(p: m.Parameter, value: Any) -> Any:
     """A value that every language can write: printable, finite, not more than JSON keeps; bools are 0 or 1."""
-    match op:
-        case m.ScalarOp(scalar=scalar) if scalar.kind == "float":
-            raw = bytes.fromhex(value[2:])
-            number = struct.unpack(">f" if op.size == 4 else ">d", raw)[0]
-            return value if math.isfinite(number) else "0x" + bytes(op.size).hex()
-        case m.ScalarOp(scalar=scalar):
-            return value & 1 if scalar.kind == "bool" else value >> 11 if op.size == 8 else value
-        case m.TextOp():
-            return "".join(chr(33 + ord(x) % 94) for x in value)
-        case m.ArrayOp():
-            return [writable(op.item, x) for x in value]
-        case m.StructOp():
-            found = record(op.struct.operations, value)
-            return found | {
-                p.name: found[p.name] if p.reserved is None else reserved(p)
-                for p in op.struct.parameters
-                if p.name in found
-            }
-        case m.SwitchOp():
-            return record(tuple(c.operation for c in op.cases if c.operation), value)
-    return value
+    if p.struct:
+        values = record(p.struct.parameters, value)
+        return values | {
+            q.name: reserved(q) for q in p.struct.parameters if q.name in values and q.reserved is not None
+        }
+    if p.union:
+        return record(p.alternatives, value)
+    if p.kind == "text":
+        return "".join(chr(33 + ord(x) % 94) for x in value)
+    if p.kind == "array":
+        return [writable(p.item, x) for x in value]
+    if p.kind != "scalar":
+        return value
+    if p.scalar.kind == "float":
+        number = struct.unpack(">f" if p.size == 4 else ">d", bytes.fromhex(value[2:]))[0]
+        return value if math.isfinite(number) else "0x" + bytes(p.size).hex()
+    return value & 1 if p.scalar.kind == "bool" else value >> 11 if p.size == 8 else value
 
 
-def record(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
-    flat = {x.member: x for op in operations for x in (op.body if isinstance(op, m.GroupOp) else (op,))}  # type: ignore[union-attr]
-    return {name: writable(flat[name], value) for name, value in values.items()}
+def record(parameters: tuple[m.Parameter, ...], values: codec.Values) -> codec.Values:
+    known = {p.name: p for p in parameters}
+    return {name: writable(known[name], value) for name, value in values.items()}
 
 
 def others(of: m.Model, count: int) -> Iterator[tuple[m.Field, codec.Values]]:
@@ -121,7 +117,7 @@ def others(of: m.Model, count: int) -> Iterator[tuple[m.Field, codec.Values]]:
                 continue
             assert call is not None
             wanted = {p.name for p in call.required if p.constant is None} | ({"function"} if f.selector else set())
-            found = record(f.operations, {k: v for k, v in values.items() if k in wanted})
+            found = record(f.parameters, {k: v for k, v in values.items() if k in wanted})
             unions = [p for p in call.required if p.cases]
             known = all(found[p.name] or found[str(p.tag)] in [c.tag.value for c in p.cases] for p in unions)
             if found.keys() == wanted and known:
@@ -130,7 +126,7 @@ def others(of: m.Model, count: int) -> Iterator[tuple[m.Field, codec.Values]]:
 
 def reserved(p: m.Parameter) -> Any:
     """What constructors set."""
-    return codec.canonical(p.operation, p.reserved if p.length is None else [p.reserved] * int(p.length), p.name)
+    return codec.canonical(p, p.reserved if p.length is None else [p.reserved] * int(p.length), p.name)
 
 
 @pytest.mark.parametrize("spec", sorted(SPECS))

@@ -36,8 +36,8 @@ DEFINITIONS: dict[type, str] = {
 #: What an object has in another form than as an attribute of the model.
 ADDED = {
     "parameter": {"type", "cases"}, "enum": {"symbols"},
-    "field": {"set", "occurrences", "symbols", "calls", "typical", "constants"},
-    "bitfield": {"symbols"}, "struct": {"symbols"}, "variant": {"only"},
+    "field": {"set", "occurrences", "symbols", "calls", "typical", "constants", "operations"},
+    "bitfield": {"symbols"}, "struct": {"symbols", "operations"}, "variant": {"only"},
     "set": {"types", "fields", "named"},
 }  # fmt: skip
 
@@ -76,7 +76,8 @@ def test_it_has_the_form_of_its_schema(spec: str) -> None:
 def test_the_schema_has_what_the_model_has_and_no_more() -> None:
     for kind, name in DEFINITIONS.items():
         properties = set(schema()["definitions"][name]["properties"])
-        attributes = {f.name for f in dataclasses.fields(kind)} - {"position", *document.LEFT_OUT.get(kind, ())}
+        names = {f.name for f in dataclasses.fields(kind)} - {"position", *document.LEFT_OUT.get(kind, ())}
+        attributes = {document.RENAMED.get(name, name) for name in names}
         assert properties == attributes | ADDED.get(name, set()), name
 
 

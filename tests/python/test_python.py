@@ -551,7 +551,7 @@ def test_reflection(spec: str) -> None:
 
 def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
     e = p.element
-    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.operation.kind)
+    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.kind)
     assert (row.length, row.constant, row.units) == (p.length, p.constant, p.units)
     assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
     assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
@@ -687,7 +687,7 @@ def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     if isinstance(record, m.Field) and record.functions:
         call = next((c for c in record.calls if c.function and c.function.value == values["function"]), None)
         if call is not None and call.function is not None:
-            asked = {names.member(p.name) for p in call.asked if not p.derived}
+            asked = {names.member(p.name) for p in call.given if not p.derived}
             free = {names.member(p.name) for p in call.optional if not p.derived}
             reserved = {names.member(p.name) for p in record.parameters if p.reserved is not None}
             own = {k: v for k, v in words.items() if k != "function" and k not in reserved}

@@ -26,10 +26,8 @@ from support import SPECS, all_fields, model
 PACKAGES = {"real": real, "invented": mip}
 BOTH = pytest.mark.parametrize("spec", sorted(SPECS))
 
-Record = m.Field | m.Struct
 
-
-def records(of: m.Model) -> list[Record]:
+def records(of: m.Model) -> list[m.Record]:
     return [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
 
 
@@ -54,8 +52,8 @@ def objects(package: Package, f: m.Field, chance: random.Random, count: int = 6)
             data[:] = bytes([7]) * len(data)  # a constant
         elif chance.random() < 0.5:
             data[:8] = bytes(x % 4 for x in data[:8])  # enumerations and counters
-        for at, size, value in f.signature:
-            data[at : at + size] = value.to_bytes(size, "big")
+        for at, constant in f.signature:
+            data[at : at + len(constant)] = constant
         try:
             yield kind(package, f).decode(bytes(data))
         except package.errors.DecodeError:
@@ -103,7 +101,7 @@ def test_parameters_know_what_they_mean(spec: str) -> None:
                     assert docs.say(describe.prose(c.parameter.description, of), names.home(holder)) in row.text
 
 
-def check(p: m.Parameter, r: Record, row: Any, of: m.Model) -> None:
+def check(p: m.Parameter, r: m.Record, row: Any, of: m.Model) -> None:
     assert (row.units, row.frame, row.valid) == (p.units, p.frame or "", p.valid)
     assert (row.minimum, row.maximum, row.above, row.below) == (p.minimum, p.maximum, p.above, p.below)
     assert row.magnitude == p.magnitude
@@ -143,7 +141,7 @@ def test_what_differs_by_device_or_beside_other_values(spec: str) -> None:
     assert seen > 10
 
 
-def beside(package: Package, r: Record, p: m.Parameter, v: m.Variant) -> Any:
+def beside(package: Package, r: m.Record, p: m.Parameter, v: m.Variant) -> Any:
     """The parameter as it is in an object where the other value is the one of the variant."""
     holder = object.__new__(kind(package, r))
     setattr(holder, names.member(v.by), v.value)
@@ -231,7 +229,7 @@ def test_flags_vouch_for_values(spec: str) -> None:
     assert seen > {"real": 150, "invented": 10}[spec]
 
 
-def vouching(package: Package, r: Record, p: m.Parameter, paths: tuple[str, ...], device: str | None) -> int:
+def vouching(package: Package, r: m.Record, p: m.Parameter, paths: tuple[str, ...], device: str | None) -> int:
     flags = [flag(r, path, device) for path in paths]
     if None in flags:
         assert not kind(package, r).INFO[p.name].of(empty(package, r), device).flags
@@ -257,7 +255,7 @@ def vouching(package: Package, r: Record, p: m.Parameter, paths: tuple[str, ...]
     return 1
 
 
-def flag(r: Record, path: str, device: str | None) -> tuple[str, int] | None:
+def flag(r: m.Record, path: str, device: str | None) -> tuple[str, int] | None:
     name, _, bit = path.partition(".")
     holder = next(q for q in r.parameters if q.name == name)
     types = [v.type for v in holder.readings if v.key == device] or [holder.element]
@@ -265,7 +263,7 @@ def flag(r: Record, path: str, device: str | None) -> tuple[str, int] | None:
     return None if bit and not masks else (names.member(name), masks[0] if bit else 0)
 
 
-def empty(package: Package, r: Record) -> Any:
+def empty(package: Package, r: m.Record) -> Any:
     """All its values are 0."""
     found = object.__new__(kind(package, r))
     for p in kind(package, r).INFO.members:

@@ -255,16 +255,12 @@ class _Writer:
         lists = any("List<" in x.type or "VarText<" in x.type for x in self.members(f))
         return f.max_size <= 64 and not lists
 
-    def members(self, record: rust.Record) -> Iterator[Any]:
+    def members(self, record: m.Record) -> Iterator[Any]:
         for x in self.records.members(record):
             yield x
-            match x.parameter.operation:
-                case m.StructOp() as op:
-                    yield from self.members(op.struct)
-                case m.SwitchOp() as op:
-                    for case in op.cases:
-                        if isinstance(case.operation, m.StructOp):
-                            yield from self.members(case.operation.struct)
+            for p in (x.parameter, *x.parameter.alternatives):
+                if p.struct:
+                    yield from self.members(p.struct)
 
     def constructed(self, f: m.Field, call: m.Call, constructor: Constructor) -> Iterator[str]:
         """A constructor must make the shortest form that the function allows."""
@@ -291,7 +287,7 @@ class _Writer:
         return found
 
     def call(
-        self, record: rust.Record, required: tuple[m.Parameter, ...], constructor: Constructor
+        self, record: m.Record, required: tuple[m.Parameter, ...], constructor: Constructor
     ) -> tuple[str, codec.Values]:
         """The call of a constructor, and the values that it must make."""
         arguments = [x.parameter.name for x in constructor.given]
@@ -307,7 +303,7 @@ class _Writer:
             if union is not None:
                 values[p.name] = self.chance.choice(union.cases).tag.value
                 continue
-            expression, values[p.name] = self.value(p.operation, record, values)
+            expression, values[p.name] = self.value(p, record, values)
             if p.name in arguments:
                 written[p.name] = expression
             if p.counts is not None:
@@ -317,7 +313,7 @@ class _Writer:
                 values[counter] = len(values[p.name])
         return f"{path(record)}::{constructor.name}({', '.join(written[n] for n in arguments)})", values
 
-    def literal(self, record: rust.Record) -> tuple[str, codec.Values]:
+    def literal(self, record: m.Record) -> tuple[str, codec.Values]:
         """A structure with all members, and its values."""
         members = {x.parameter.name: x for x in self.records.members(record)}
         values: codec.Values = {}
@@ -334,72 +330,70 @@ class _Writer:
                 values[p.name] = max((f.value for f in record.functions), key=record.required)
                 written.append(f"{x.name}: {path(self.model.protocol.function_selector)}({values[p.name]})")
                 continue
-            expression, values[p.name] = self.value(p.operation, record, values)
+            expression, values[p.name] = self.value(p, record, values)
             counter = next((q.name for q in record.parameters if q.counts == p.name), None)
             if counter is not None:
                 values[counter] = len(values[p.name])
-            expression = as_member(p.operation, expression, values[p.name])
+            expression = as_member(p, expression, values[p.name])
             written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{path(record)} {{ {', '.join(written)} }}", values
 
-    def value(self, op: m.Operation, record: rust.Record, values: codec.Values) -> tuple[str, Any]:
+    def value(self, p: m.Parameter, record: m.Record, values: codec.Values) -> tuple[str, Any]:
         """An expression, and the value that it stands for."""
-        match op:
-            case m.ScalarOp():
-                return self.number(op)
-            case m.CounterOp() | m.ConstantOp():
-                return "", None
-            case m.BitsOp():
-                bits = [self.chance.randrange(256) for _ in range(op.size)]
-                return f"{path(op.type)}({bits})", bits
-            case m.TextOp():
-                count = op.count if op.count is not None else min(3, op.capacity)
-                text = "".join(self.chance.choice("abc xyz") for _ in range(count))
-                return (f'Text(*b"{text}")' if op.count is not None else f'VarText::new("{text}").unwrap()'), text
-            case m.ArrayOp():
-                count = op.count if op.count is not None else min(2, op.capacity)
-                items = [self.value(op.item, record, {}) for _ in range(count)]
-                array = f"[{', '.join(as_member(op.item, e, v) for e, v in items)}]"
-                if op.vector is not None:
-                    array = f"{path(op.vector)}::from({array})"
-                elif op.count is None:
-                    array = f"List::from({array})"
-                return array, [v for _, v in items]
-            case m.StructOp():
-                (constructor,) = self.records.constructors(op.struct)
-                return self.call(op.struct, op.struct.parameters, constructor)
-            case m.SwitchOp():
-                case = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
-                home = rust.home(record)
-                union = f"mip_protocol::{home}::{self.records.union(op, home).name}"
-                if case is None:
-                    return f"{union}::Other({path(op.tag_type)}({values[op.tag]}))", {}
-                if case.operation is None:
-                    return f"{union}::{rust.variant(case.tag.name)}", {}
-                expression, value = self.value(case.operation, record, {})
-                expression = as_member(case.operation, expression, value)
-                assert not isinstance(case.operation, m.GroupOp)
-                return f"{union}::{rust.variant(case.tag.name)}({expression})", {case.operation.member: value}
-        raise AssertionError(op)
+        if p.derived:
+            return "", None
+        if p.struct:
+            (constructor,) = self.records.constructors(p.struct)
+            return self.call(p.struct, p.struct.parameters, constructor)
+        if p.union:
+            return self.union(p.union, record, values[p.union.tag])
+        if p.kind == "bits" and p.named:
+            bits = [self.chance.randrange(256) for _ in range(p.size)]
+            return f"{path(p.named)}({bits})", bits
+        if p.kind == "text":
+            count = p.count if p.count is not None else min(3, p.capacity)
+            text = "".join(self.chance.choice("abc xyz") for _ in range(count))
+            return (f'VarText::new("{text}").unwrap()' if p.open else f'Text(*b"{text}")'), text
+        if p.kind == "array":
+            count = p.count if p.count is not None else min(2, p.capacity)
+            items = [self.value(p.item, record, {}) for _ in range(count)]
+            array = f"[{', '.join(as_member(p.item, e, v) for e, v in items)}]"
+            if p.vector:
+                array = f"{path(p.vector)}::from({array})"
+            elif p.open:
+                array = f"List::from({array})"
+            return array, [v for _, v in items]
+        return self.number(p)
 
-    def number(self, op: m.ScalarOp) -> tuple[str, Any]:
-        bits = 8 * op.size
-        if op.scalar.kind == "float":
-            exponent = 0x3F800000 if op.size == 4 else 0x3FF0000000000000
+    def union(self, union: m.Union, record: m.Record, tag: int) -> tuple[str, Any]:
+        case = next((c for c in union.cases if c.tag.value == tag), None)
+        name = f"mip_protocol::{rust.home(record)}::{self.records.union(union, rust.home(record)).name}"
+        if case is None:
+            return f"{name}::Other({path(union.type)}({tag}))", {}
+        if case.parameter is None:
+            return f"{name}::{rust.variant(case.tag.name)}", {}
+        expression, value = self.value(case.parameter, record, {})
+        expression = as_member(case.parameter, expression, value)
+        return f"{name}::{rust.variant(case.tag.name)}({expression})", {case.parameter.name: value}
+
+    def number(self, p: m.Parameter) -> tuple[str, Any]:
+        bits = 8 * p.size
+        if p.scalar.kind == "float":
+            exponent = 0x3F800000 if p.size == 4 else 0x3FF0000000000000
             number = exponent | self.chance.getrandbits(20) | self.chance.getrandbits(1) << (bits - 1)
             return f"f{bits}::from_bits({number})", f"0x{number:0{bits // 4}x}"
-        if op.scalar.kind == "bool":
+        if p.scalar.kind == "bool":
             truth = self.chance.randrange(2)
             return "true" if truth else "false", truth
         number = self.chance.getrandbits(bits)
-        if isinstance(op.type, m.Enum):
+        if isinstance(p.named, m.Enum):
             if self.chance.random() < 0.8:
-                v = self.chance.choice(op.type.values)
-                return f"{path(op.type)}::{rust.constant(v.name)}", v.value
-            return f"{path(op.type)}({number})", number
-        if isinstance(op.type, m.Bitfield):
-            return f"{path(op.type)}({number})", number
-        if op.scalar.kind == "signed":
+                v = self.chance.choice(p.named.values)
+                return f"{path(p.named)}::{rust.constant(v.name)}", v.value
+            return f"{path(p.named)}({number})", number
+        if isinstance(p.named, m.Bitfield):
+            return f"{path(p.named)}({number})", number
+        if p.scalar.kind == "signed":
             number -= 1 << (bits - 1)
         return str(number), number
 
@@ -454,9 +448,9 @@ class _Writer:
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 
 
-def as_member(op: m.Operation, expression: str, value: Any) -> str:
+def as_member(p: m.Parameter, expression: str, value: Any) -> str:
     """Constructors take a `bool`, everything else holds a `Bool`."""
-    return f"Bool({value})" if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool" else expression
+    return f"Bool({value})" if p.kind == "scalar" and p.scalar.kind == "bool" else expression
 
 
 def defaults(f: m.Field | m.Struct) -> codec.Values:
@@ -464,26 +458,19 @@ def defaults(f: m.Field | m.Struct) -> codec.Values:
     values: codec.Values = {}
     for p in f.parameters:
         if p.constant is None and not p.optional:
-            values[p.name] = sent(p) if p.reserved is not None else default(p.operation)
+            values[p.name] = sent(p) if p.reserved is not None else default(p)
     return values
 
 
-def default(op: m.Operation) -> Any:
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return "0x" + "00" * op.size if op.scalar.kind == "float" else 0
-        case m.BitsOp():
-            return [0] * op.size
-        case m.TextOp():
-            return " " * (op.count or 0)
-        case m.ArrayOp():
-            return [default(op.item) for _ in range(op.count or 0)]
-        case m.StructOp():
-            return defaults(op.struct)
-        case m.SwitchOp():
-            case = next((c for c in op.cases if c.tag.value == 0), None)
-            if case is None or case.operation is None:
-                return {}
-            assert not isinstance(case.operation, m.GroupOp)
-            return {case.operation.member: default(case.operation)}
-    raise AssertionError(op)
+def default(p: m.Parameter) -> Any:
+    if p.struct:
+        return defaults(p.struct)
+    if p.union:
+        return {q.name: default(q) for c in p.cases if (q := c.parameter) and c.tag.value == 0}
+    if p.kind == "bits":
+        return [0] * p.size
+    if p.kind == "text":
+        return " " * (p.count or 0)
+    if p.kind == "array":
+        return [default(p.item) for _ in range(p.count or 0)]
+    return "0x" + "00" * p.size if p.scalar.kind == "float" else 0

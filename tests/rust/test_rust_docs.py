@@ -94,7 +94,7 @@ class Expected:
         for t in (self.model.protocol.function_selector, *self.model.all_types):
             yield from self.type(t)
         for u in self.records.unions:
-            yield from self.union(u.record, u.name, u.operation)
+            yield from self.union(u.record, u.name, u.of)
         for d in self.model.devices:
             item = ("known", names.constant(d.name), "")
             prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
@@ -112,7 +112,7 @@ class Expected:
         key = f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
         yield from ((item, text) for text in (f"{f.title} ({key})", *texts))
 
-    def parameters(self, record: names.Record) -> Iterator[tuple[Item, str]]:
+    def parameters(self, record: m.Record) -> Iterator[tuple[Item, str]]:
         """What no member holds is said at the record, behind its name."""
         here, owner = names.home(record), names.type_name(record.name)
         for p in record.parameters:
@@ -122,12 +122,12 @@ class Expected:
             else:
                 yield from (((here, owner, names.member(p.name)), text) for text in texts)
 
-    def facts(self, p: m.Parameter, record: names.Record) -> list[str]:
+    def facts(self, p: m.Parameter, record: m.Record) -> list[str]:
         return [said(fact.sentence, names.home(record)) for fact in describe.parameter(p, record, self.model)]
 
-    def union(self, record: names.Record, name: str, op: m.SwitchOp) -> Iterator[tuple[Item, str]]:
+    def union(self, record: m.Record, name: str, union: m.Union) -> Iterator[tuple[Item, str]]:
         here = names.home(record)
-        for case in op.cases:
+        for case in union.cases:
             description = (case.parameter and case.parameter.description) or case.tag.description
             texts = [self.prose(description, here)]
             texts += self.facts(case.parameter, record) if case.parameter else []

@@ -59,7 +59,7 @@ class _Writer:
                 yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
         yield f"assert_eq!(b.bytes(), {everything.data_literal(e.packet)});"
 
-    def record(self, record: rust.Record, values: dict[str, Any]) -> str:
+    def record(self, record: m.Record, values: dict[str, Any]) -> str:
         members = {x.parameter.name: x for x in self.records.members(record)}
         written = []
         for p in record.parameters:
@@ -69,53 +69,46 @@ class _Writer:
             if p.name not in values:
                 written.append(f"{x.name}: None")
                 continue
-            expression = self.value(p.operation, record, values[p.name], values)
+            expression = self.value(p, record, values[p.name], values)
             written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{everything.path(record)} {{ {', '.join(written)} }}"
 
-    def value(self, op: m.Operation, record: rust.Record, value: Any, siblings: dict[str, Any]) -> str:
-        match op:
-            case m.ScalarOp():
-                return number(op, value)
-            case m.BitsOp():
-                return f"{everything.path(op.type)}({value})"
-            case m.TextOp():
-                octets = everything.data_literal(value.encode("latin-1"))
-                return f"Text(*{octets})" if op.count is not None else f"VarText(List::from({octets}))"
-            case m.ArrayOp():
-                array = f"[{', '.join(self.value(op.item, record, v, {}) for v in value)}]"
-                if op.vector is not None:
-                    return f"{everything.path(op.vector)}::from({array})"
-                return f"List::from({array})" if op.count is None else array
-            case m.StructOp():
-                return self.record(op.struct, value)
-            case m.SwitchOp():
-                case = next((c for c in op.cases if c.tag.value == siblings[op.tag]), None)
-                home = rust.home(record)
-                union = f"mip_protocol::{home}::{self.records.union(op, home).name}"
-                assert case is not None
-                if case.operation is None:
-                    return f"{union}::{rust.variant(case.tag.name)}"
-                assert not isinstance(case.operation, m.GroupOp)
-                inner = self.value(case.operation, record, value[case.operation.member], {})
-                return f"{union}::{rust.variant(case.tag.name)}({inner})"
-        raise AssertionError(op)
+    def value(self, p: m.Parameter, record: m.Record, value: Any, siblings: dict[str, Any]) -> str:
+        if p.struct:
+            return self.record(p.struct, value)
+        if p.union:
+            union = f"mip_protocol::{rust.home(record)}::{self.records.union(p.union, rust.home(record)).name}"
+            (case,) = (c for c in p.cases if c.tag.value == siblings[p.union.tag])
+            name = f"{union}::{rust.variant(case.tag.name)}"
+            q = case.parameter
+            return f"{name}({self.value(q, record, value[q.name], {})})" if q else name
+        if p.kind == "bits" and p.named:
+            return f"{everything.path(p.named)}({value})"
+        if p.kind == "text":
+            octets = everything.data_literal(value.encode("latin-1"))
+            return f"VarText(List::from({octets}))" if p.open else f"Text(*{octets})"
+        if p.kind == "array":
+            array = f"[{', '.join(self.value(p.item, record, v, {}) for v in value)}]"
+            if p.vector:
+                return f"{everything.path(p.vector)}::from({array})"
+            return f"List::from({array})" if p.open else array
+        return number(p, value)
 
 
-def number(op: m.ScalarOp, value: Any) -> str:
-    if op.scalar.kind == "float":
-        return f"f{8 * op.size}::from_bits({value})"
-    if op.scalar.kind == "bool":
+def number(p: m.Parameter, value: Any) -> str:
+    if p.scalar.kind == "float":
+        return f"f{8 * p.size}::from_bits({value})"
+    if p.scalar.kind == "bool":
         return f"Bool({value})"
-    if isinstance(op.type, m.Enum):
-        known = next((v for v in op.type.values if v.value == value), None)
+    if isinstance(p.named, m.Enum):
+        known = next((v for v in p.named.values if v.value == value), None)
         return (
-            f"{everything.path(op.type)}::{rust.constant(known.name)}"
+            f"{everything.path(p.named)}::{rust.constant(known.name)}"
             if known
-            else f"{everything.path(op.type)}({value})"
+            else f"{everything.path(p.named)}({value})"
         )
-    if isinstance(op.type, m.Bitfield):
-        return f"{everything.path(op.type)}({value})"
+    if isinstance(p.named, m.Bitfield):
+        return f"{everything.path(p.named)}({value})"
     return str(value)
 
 

@@ -112,15 +112,15 @@ def choices(p: m.Parameter, values: Values, device: m.Device | None) -> tuple[li
     if p.tag is not None:
         return union(p, values, device)
     good, bad = items(p, device)
-    if isinstance(p.operation, m.TextOp):
-        good, bad = ["A" * (p.operation.count or 1), "\0" * (p.operation.count or 0)], []
+    if p.kind == "text":
+        good, bad = ["A" * (p.count or 1), "\0" * (p.count or 0)], []
     elif isinstance(p.length, int):
         good, bad = [[g] * p.length for g in good], [[b] * p.length for b in bad]
     elif p.length is not None:
         good = [[], [good[0]], good[:2], good[-3:], [good[0]] * 2]
         bad = [[b] for b in bad]
     if p.default is not None:
-        first = codec.canonical(p.operation, p.default, p.name)
+        first = codec.canonical(p, p.default, p.name)
         good = [first, *(g for g in good if g != first)]
     return good, bad
 

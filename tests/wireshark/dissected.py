@@ -43,7 +43,7 @@ def shown(of: Element, name: str) -> list[str]:
 def field_bytes(name: str, **values: Any) -> tuple[int, int, bytes]:
     f = model("real").field(name)
     assert f is not None
-    given = {p.name: codec.canonical(p.operation, values[p.name], p.name) for p in f.parameters if p.name in values}
+    given = {p.name: codec.canonical(p, values[p.name], p.name) for p in f.parameters if p.name in values}
     return set_of(f, model("real")), f.descriptor, codec.encode(f, given)
 
 

@@ -151,7 +151,7 @@ def test_a_device_names_values_and_bits_in_its_way(spec: str, tmp_path: Path) ->
         packets = []
         for f, p, t in mine:
             values = next(values for g, values in random_values(spec) if g is f and p.name in values)
-            ones = [255] * len(values[p.name]) if p.length else (1 << 8 * p.operation.size) - 1  # type: ignore[union-attr]
+            ones = [255] * len(values[p.name]) if p.length else (1 << 8 * p.size) - 1
             data = codec.encode(f, {**values, p.name: t.values[0].value if isinstance(t, m.Enum) else ones})
             packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
         frames = trees(tmp_path, captures.serial(packets), "-o", f"mip_protocol.device:{device.title}", spec=spec)

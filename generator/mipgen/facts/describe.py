@@ -16,12 +16,11 @@ from .measures import default, limits
 from .parameters import case
 from .parts import bits, bits_place, type, value
 from .remarks import sources, uncertain
-from .texts import Fact, Record, Ref, Text, Thing, joined, measured, number, prose, quotation, say, topics
+from .texts import Fact, Ref, Text, Thing, joined, measured, number, prose, quotation, say, topics
 from .variants import difference, usual, variants
 
 __all__ = [
     "Fact",
-    "Record",
     "Ref",
     "Text",
     "Thing",
@@ -65,14 +64,14 @@ class _Composed:
     def field(self, f: m.Field) -> list[Fact]:
         return list(self.fields.get(id(f), self._field, f))
 
-    def parameter(self, p: m.Parameter, record: Record) -> list[Fact]:
+    def parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
         return list(self.parameters.get((id(p), id(record)), self._parameter, p, record))
 
     def _field(self, f: m.Field) -> list[Fact]:
         self.alive.append(f)
         return list(fields.facts(f, self.model))
 
-    def _parameter(self, p: m.Parameter, record: Record) -> list[Fact]:
+    def _parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
         self.alive += (p, record)
         return parameters.facts(p, record, self.model)
 
@@ -82,6 +81,6 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     return model.derived(_Composed).field(f)
 
 
-def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
+def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """The facts about a parameter, or the parameter of a union's case, besides its description."""
     return model.derived(_Composed).parameter(p, record)

@@ -29,7 +29,7 @@ def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) ->
 def hexadecimal(p: m.Parameter, value: int) -> str:
     """A number as people know it.
 
-    >>> p = m.Parameter("a", m.SCALARS["u16"], None, m.ScalarOp("a", m.SCALARS["u16"], None, 2))
+    >>> p = m.Parameter("a", m.SCALARS["u16"], None)
     >>> hexadecimal(p, 0x1F)
     '0x001F'
     """

@@ -89,7 +89,7 @@ class Structure:
 class Alternative:
     """A union with one of its cases."""
 
-    union: m.SwitchOp
+    union: m.Union
     case: m.Case | None  # None: its tag is one that the specification does not know
     value: Literal | None  # None: it is empty
 
@@ -102,33 +102,30 @@ def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> di
     return {p.name: literal(p, values[p.name]) for p in parameters if p.constant is None and p.name in values}
 
 
-def literal(p: m.Parameter, value: Any, op: m.Operation | None = None) -> Literal:
-    """A value of a parameter in the form of the codec, or that of an item of its array."""
-    op = op or p.operation
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return _number(p, op.scalar, op.named, value)
-        case m.BitsOp():
-            return Octets(op.type, tuple(value))
-        case m.TextOp():
-            return Text(value, op.count)
-        case m.ArrayOp():
-            return Items(tuple(literal(p, v, op.item) for v in value), op.vector)
-        case m.StructOp():
-            return Structure(op.struct, record(op.struct.parameters, value))
-        case m.SwitchOp():
-            return _alternative(op, value)
-    raise AssertionError(op)
+def literal(p: m.Parameter, value: Any) -> Literal:
+    """A value of a parameter in the form of the codec."""
+    if p.struct:
+        return Structure(p.struct, record(p.struct.parameters, value))
+    if p.union:
+        return _alternative(p.union, value)
+    if p.kind == "bits" and isinstance(p.element, m.Bitfield):
+        return Octets(p.element, tuple(value))
+    if p.kind == "text":
+        return Text(value, p.count)
+    if p.kind == "array":
+        return Items(tuple(literal(p.item, v) for v in value), p.vector)
+    return _number(p, value)
 
 
-def _alternative(op: m.SwitchOp, value: Mapping[str, Any]) -> Alternative:
-    for case in op.cases:
+def _alternative(union: m.Union, value: Mapping[str, Any]) -> Alternative:
+    for case in union.cases:
         if case.parameter is not None and case.parameter.name in value:
-            return Alternative(op, case, literal(case.parameter, value[case.parameter.name]))
-    return Alternative(op, next((c for c in op.cases if c.parameter is None), None), None)
+            return Alternative(union, case, literal(case.parameter, value[case.parameter.name]))
+    return Alternative(union, next((c for c in union.cases if c.parameter is None), None), None)
 
 
-def _number(p: m.Parameter, scalar: m.Scalar, named: m.Enum | m.Bitfield | None, value: Any) -> Literal:
+def _number(p: m.Parameter, value: Any) -> Literal:
+    scalar, named = p.scalar, p.named
     if scalar.kind == "float":
         return Decimal(decimal(value), scalar.size)
     if scalar.kind == "bool":

@@ -7,13 +7,12 @@ from collections.abc import Callable, Iterator
 from mipgen import model as m
 
 from . import descriptors
-from .texts import Fact, Record, Ref, Text, fact, interleaved, joined, number
+from .texts import Fact, Ref, Text, fact, interleaved, joined, number
 
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
     """Elements, unit, frame, range and default: of a parameter, or of a variant of it."""
-    own = p.element.elements if isinstance(p.element, m.Vector) else ()
-    elements = of.elements if isinstance(of, m.Variant) else own
+    elements = of.elements if isinstance(of, m.Variant) else p.elements
     if elements:
         yield fact("elements", (", ".join(elements),), "Elements: {}.")
     if of.units:
@@ -71,17 +70,17 @@ def default(value: object, p: m.Parameter) -> Text:
     return (numeral(p, value) if isinstance(value, (int, float)) else str(value),)
 
 
-def validity(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str | None = None) -> Fact:
+def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: str | None = None) -> Fact:
     """The bit that says that a value is valid, or one for each element."""
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
-    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(paths))))
+    names = p.elements or tuple(map(str, range(len(paths))))
     each = [(f"{name}: ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
     return fact("valid", interleaved(each, ", "), "Each element has its own valid flag. {}.")
 
 
-def _bit(path: str, record: Record, device: str | None) -> Ref:
+def _bit(path: str, record: m.Record, device: str | None) -> Ref:
     """A bit of a sibling, by the type that it has on a device."""
     name, _, bit = path.partition(".")
     flags = next(q for q in record.parameters if q.name == name)

@@ -8,11 +8,11 @@ from mipgen import model as m
 
 from .measures import measures, numeral, validity
 from .remarks import remarks
-from .texts import Fact, Record, Ref, fact, functions
+from .texts import Fact, Ref, fact, functions
 from .variants import variants
 
 
-def facts(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
+def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """The facts about a parameter, or the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
     found: list[Fact] = []
@@ -38,7 +38,7 @@ def facts(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
     return [*found, *remarks(p, model)]
 
 
-def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: Record, model: m.Model) -> str | Ref:
+def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, model: m.Model) -> str | Ref:
     """The set whose field descriptors a parameter holds, which a part of a specification may lack."""
     if p.fields_of in beside:
         return Ref(beside[p.fields_of], p.fields_of, record)
@@ -46,7 +46,7 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: Record, model
     return Ref(found, found.title) if found else p.fields_of
 
 
-def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
+def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
     """When it may be left out."""
     if p.optional:
         yield fact("optional", (), "Optional.")
@@ -54,7 +54,7 @@ def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
         yield fact("required", functions(p.required_for), "Required for {}.")
 
 
-def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
+def case(c: m.Case, union: m.Parameter, record: m.Record) -> Fact:
     """When a union has one of its alternatives."""
     tag = next(q for q in record.parameters if q.name == union.tag)
     assert isinstance(tag.element, m.Enum)

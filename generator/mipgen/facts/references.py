@@ -139,8 +139,8 @@ class _Names:
         """Names without a set: of parameters, values and bits, of sets, functions, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
-        records += [t for t in types if isinstance(t, m.Struct)]
-        found = {q.name for r in records for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q}
+        records += m.structs(types)
+        found = {q.name for r in records for p in r.parameters for q in (p, *p.alternatives)}
         found |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
         found |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
         found |= {s.name for s in self.model.sets} | {x.name for x in self.model.families}

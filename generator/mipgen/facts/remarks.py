@@ -23,6 +23,6 @@ def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
     return [fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
-def sources(thing: m.Field | m.Occurrence | m.Family | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
+def sources(thing: m.Field | m.Occurrence | m.Family | m.Set | m.Type | m.Device) -> list[str]:
     """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]

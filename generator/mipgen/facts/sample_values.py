@@ -198,6 +198,6 @@ def _same_form(p: m.Parameter, q: m.Parameter) -> bool:
 def _state(found: codec.Values, p: m.Parameter, value: object) -> None:
     """Adds a default, unless it is in words."""
     try:
-        found[p.name] = codec.canonical(p.operation, lists(value), p.name)
+        found[p.name] = codec.canonical(p, lists(value), p.name)
     except ValueError:
         pass

@@ -12,16 +12,15 @@ from mipgen.model.simulation import Value
 def shown(p: m.Parameter, given: Any, factor: float) -> Any:
     """A quantity as a parameter shows it, in the form of the codec. Raises ValueError if it cannot.
 
-    >>> p = m.Parameter("a", m.SCALARS["float"], None, m.ScalarOp("a", m.SCALARS["float"], None, 4))
+    >>> p = m.Parameter("a", m.SCALARS["float"], None)
     >>> shown(p, 9.80665, 1 / 9.80665)
     '0x3f800000'
     """
-    op = p.operation
-    if isinstance(given, list) and isinstance(op, m.ArrayOp):
-        return codec.canonical(op, [_scaled(p, one, factor) for one in given], p.name)
-    if isinstance(op, m.ArrayOp) and op.count is not None:  # one number for all elements
-        return codec.canonical(op, [_scaled(p, given, factor)] * op.count, p.name)
-    return codec.canonical(op, _scaled(p, given, factor), p.name)
+    if isinstance(given, list) and p.kind == "array":
+        return codec.canonical(p, [_scaled(p, one, factor) for one in given], p.name)
+    if p.kind == "array" and p.count is not None:  # one number for all elements
+        return codec.canonical(p, [_scaled(p, given, factor)] * p.count, p.name)
+    return codec.canonical(p, _scaled(p, given, factor), p.name)
 
 
 def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:

@@ -13,7 +13,6 @@ from mipgen import model as m
 
 from .references import DESCRIPTOR
 
-Record = m.Field | m.Struct
 Thing = (
     m.Field
     | m.Set
@@ -36,7 +35,7 @@ class Ref:
 
     thing: Thing
     words: str  # its name in the specification
-    within: Record | m.Enum | m.Bitfield | None = None  # the record of a parameter; the type of a value or a bit
+    within: m.Record | m.Enum | m.Bitfield | None = None  # the record of a parameter; the type of a value or a bit
 
 
 #: Words and references, in order.

@@ -8,10 +8,10 @@ from dataclasses import replace
 from mipgen import model as m
 
 from .measures import measures, numeral, validity
-from .texts import Fact, Record, Ref, Text, device_ref, interleaved, joined, prose
+from .texts import Fact, Ref, Text, device_ref, interleaved, joined, prose
 
 
-def variants(p: m.Parameter, record: Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
+def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
     """What is different on devices, or with values of a sibling: one fact for all devices where it is the same."""
     groups: list[list[m.Variant]] = []
     for v in p.variants:
@@ -28,7 +28,7 @@ def variants(p: m.Parameter, record: Record, model: m.Model) -> list[tuple[tuple
     return found
 
 
-def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
     """What a variant says, in words; it may be about a member of a structure."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
@@ -58,7 +58,7 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
     return said
 
 
-def usual(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
     """What a parameter has in general where a variant of it differs, in words."""
     if v.member:
         return ("as on its page",)
@@ -82,7 +82,7 @@ def usual(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
     return interleaved(parts, "; ")
 
 
-def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: Record) -> Text:
+def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: m.Record) -> Text:
     """What says that the value is valid, on one device or in general."""
     if not valid:
         return ("no flag says whether it is valid",)
@@ -92,7 +92,7 @@ def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record
     return ("valid flags " if many else "valid if ", *vouching.value, *([state] if state else []))
 
 
-def _condition(group: Sequence[m.Variant], record: Record, model: m.Model) -> Text:
+def _condition(group: Sequence[m.Variant], record: m.Record, model: m.Model) -> Text:
     """Where variants hold: "On the 3DM-GX5-15", "If mode is fast"."""
     v = group[0]
     if v.by_device:

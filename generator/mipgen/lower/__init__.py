@@ -1,1 +1,1 @@
-"""What every codec needs: operations, sizes, lengths, the reference codec. Knows bytes, and nothing of text."""
+"""What every codec needs: sizes, lengths, runs, memory, the reference codec. Knows bytes, and nothing of text."""

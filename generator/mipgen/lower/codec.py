@@ -1,4 +1,4 @@
-"""Encodes and decodes packets by interpreting the model's operations.
+"""Encodes and decodes packets by interpreting the model's parameters.
 
 Slow and simple: the reference for examples and generated code. Values have the form of the
 conformance protocol: numbers, lists, objects, floats as the hexadecimal of their bits.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import struct
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -83,9 +84,7 @@ def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
     if len(candidates) <= 1:
         return candidates[0] if candidates else None
     fitting = [
-        f
-        for f in candidates
-        if all(op.value.to_bytes(op.size, "big").startswith(data[at : at + op.size]) for at, op in f.constants)
+        f for f in candidates if all(constant.startswith(data[at : at + len(constant)]) for at, constant in f.signature)
     ]
     held = [f for f in fitting if f.min_size <= len(data)]
     if held:
@@ -112,84 +111,80 @@ class _Reader:
 def decode(f: m.Field, data: bytes) -> tuple[Values, int]:
     """The values of a field, and how many bytes are left over."""
     reader, values = _Reader(data), Values()
-    required = f.required()
-    for op in f.operations:
-        if isinstance(op, m.GroupOp):
-            if op.first == 1 and f.selector:
-                required = f.required(values["function"])
-            if not _read_group(op, required, reader, values):
-                break
-        else:
-            _read(op, reader, values)
+    for p in f.always:
+        _read(p, reader, values)
+    required = f.required(values.get("function"))
+    for group in f.groups:
+        if not _read_group(group, required, reader, values):
+            break
     return values, len(data) - reader.at
 
 
-def _read_group(op: m.GroupOp, required: int, reader: _Reader, values: Values) -> bool:
-    if op.last > required and reader.at == len(reader.data):
+def _read_group(group: m.Group, required: int, reader: _Reader, values: Values) -> bool:
+    if group.last > required and reader.at == len(reader.data):
         return False
-    mark, found = reader.at, dict(values)
+    mark, more = reader.at, dict(values)
     try:
-        for inner in op.body:
-            _read(inner, reader, found)
+        for p in group.parameters:
+            _read(p, reader, more)
     except CodecError as error:
-        if op.last <= required or error.kind != "truncated":
+        if group.last <= required or error.kind != "truncated":
             raise
         reader.at = mark
         return False
-    if op.last > required and reader.at == mark:  # an empty union: same as absent
+    if group.last > required and reader.at == mark:  # an empty union: same as absent
         return False
-    values.update(found)
+    values.update(more)
     return True
 
 
-def _read(op: m.Operation, reader: _Reader, values: Values) -> None:
-    match op:
-        case m.ConstantOp():
-            found = int.from_bytes(reader.take(op.size), "big")
-            if found != op.value:
-                raise CodecError("constant", f"{op.member} is {found}, not {op.value}")
-        case m.SwitchOp():
-            case_ = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
-            inner = Values()
-            if case_ is not None and case_.operation is not None:
-                _read(case_.operation, reader, inner)
-            values[op.member] = inner
-        case m.GroupOp():
-            raise AssertionError("groups are in fields only")
-        case _:
-            values[op.member] = _item(op, reader, values)
+def _read(p: m.Parameter, reader: _Reader, values: Values) -> None:
+    if p.constant is not None:
+        number = int.from_bytes(reader.take(p.size), "big")
+        if number != p.constant:
+            raise CodecError("constant", f"{p.name} is {number}, not {p.constant}")
+    else:
+        values[p.name] = _value(p, reader, values)
 
 
-def _item(op: m.Operation, reader: _Reader, values: Values) -> Any:
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return _number(op.scalar, reader.take(op.size))
-        case m.BitsOp():
-            return list(reader.take(op.size))
-        case m.TextOp():
-            return reader.take(_count(op, extent.element(op), reader, values)).decode("latin-1")
-        case m.ArrayOp():
-            count = _count(op, extent.element(op), reader, values)
-            return [_item(op.item, reader, {}) for _ in range(count)]
-        case m.StructOp():
-            inner = Values()
-            for part in op.struct.operations:
-                _read(part, reader, inner)
-            return inner
-    raise AssertionError(op)
+def _value(p: m.Parameter, reader: _Reader, values: Values) -> Any:
+    """A value; `values` are those before it in its record."""
+    if p.struct:
+        return _record(p.struct.parameters, reader)
+    if p.union:
+        return _record(_chosen(p.union, values), reader)
+    if p.kind == "bits":
+        return list(reader.take(p.size))
+    if p.kind == "text":
+        return reader.take(_count(p, reader, values)).decode("latin-1")
+    if p.kind == "array":
+        return [_value(p.item, reader, {}) for _ in range(_count(p, reader, values))]
+    return _number(p.scalar, reader.take(p.size))
 
 
-def _count(op: m.TextOp | m.ArrayOp, size: int, reader: _Reader, values: Values) -> int:
-    left = len(reader.data) - reader.at
-    if op.count is not None:
-        return op.count
-    if op.counter is None:
-        return min(left // size, op.capacity)
-    count: int = values[op.counter]
+def _record(parameters: Iterable[m.Parameter], reader: _Reader) -> Values:
+    values = Values()
+    for p in parameters:
+        _read(p, reader, values)
+    return values
+
+
+def _chosen(union: m.Union, values: Values) -> tuple[m.Parameter, ...]:
+    """What the alternative holds that the tag selects: one parameter, or nothing."""
+    return tuple(c.parameter for c in union.cases if c.parameter and c.tag.value == values[union.tag])
+
+
+def _count(p: m.Parameter, reader: _Reader, values: Values) -> int:
+    size, left = extent.element(p), len(reader.data) - reader.at
+    if p.count is not None:
+        return p.count
+    if p.counter is None:
+        return min(left // size, p.capacity)
+    count: int = values[p.counter]
     if count * size > left:
-        raise CodecError("count", f"{op.counter} is {count}, but {left} bytes follow")
-    if count > op.capacity:
-        raise CodecError("count", f"{op.counter} is {count}, but a field holds {op.capacity}")
+        raise CodecError("count", f"{p.counter} is {count}, but {left} bytes follow")
+    if count > p.capacity:
+        raise CodecError("count", f"{p.counter} is {count}, but a field holds {p.capacity}")
     return count
 
 
@@ -205,97 +200,96 @@ def _number(scalar: m.Scalar, raw: bytes) -> int | str:
 def encode(f: m.Field, values: Values) -> bytes:
     """The shortest form that holds the given values."""
     out = bytearray()
-    required = f.required()
     known = {p.name for p in f.parameters if p.constant is None}
     for name in values:
         if name not in known:
             raise CodecError("unknown", f"{f.full_name} has no parameter {name}")
+    for p in f.always:
+        _write(p, values, out)
+    required = f.required(values.get("function"))
     ended: str | None = None
-    for op in f.operations:
-        if isinstance(op, m.GroupOp):
-            if op.first == 1 and f.selector:
-                required = f.required(values["function"])
-            absent = [i.member for i in op.body if not isinstance(i, m.ConstantOp) and i.member not in values]
-            if absent and op.last <= required:
-                raise CodecError("missing", f"{absent[0]} is missing")
-            if absent:
-                ended = ended or absent[0]
-            if ended is not None:
-                if any(not isinstance(i, m.GroupOp) and i.member in values for i in op.body):
-                    raise CodecError("missing", f"{ended} is missing")
-                continue
-            for inner in op.body:
-                _write(inner, values, out)
-        else:
-            _write(op, values, out)
+    for group in f.groups:
+        absent = [p.name for p in group.parameters if p.constant is None and p.name not in values]
+        if absent and group.last <= required:
+            raise CodecError("missing", f"{absent[0]} is missing")
+        if absent:
+            ended = ended or absent[0]
+        if ended is None:
+            for p in group.parameters:
+                _write(p, values, out)
+        elif any(p.name in values for p in group.parameters):
+            raise CodecError("missing", f"{ended} is missing")
     if len(out) > m.MAX_FIELD_DATA:
         raise CodecError("length", f"{len(out)} bytes do not fit in a field")
     return bytes(out)
 
 
-def _write(op: m.Operation, values: Values, out: bytearray) -> None:
-    match op:
-        case m.ConstantOp():
-            out += op.value.to_bytes(op.size, "big")
-        case m.GroupOp():
-            raise AssertionError("groups are in fields only")
-        case _:
-            if op.member not in values:
-                raise CodecError("missing", f"{op.member} is missing")
-            _put(op, values[op.member], values, out)
+def _write(p: m.Parameter, values: Values, out: bytearray) -> None:
+    if p.constant is not None:
+        out += p.octets
+    elif p.name in values:
+        _put(p, values[p.name], values, out)
+    else:
+        raise CodecError("missing", f"{p.name} is missing")
 
 
-def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
-    match op:
-        case m.ScalarOp():
-            out += _bytes(op.scalar, value)
-        case m.CounterOp():
-            items = values.get(op.array)
-            if not isinstance(items, (list, str)) or len(items) != value:
-                raise CodecError("count", f"{op.member} is {value}")
-            out += _bytes(op.scalar, value)
-        case m.BitsOp():
-            if not isinstance(value, list) or len(value) != op.size:
-                raise CodecError("count", f"{op.member} needs {op.size} bytes")
-            for byte in value:
-                out += _bytes(m.SCALARS["u8"], byte)
-        case m.TextOp():
-            _check_count(op, value)
-            try:
-                out += value.encode("latin-1")
-            except UnicodeEncodeError as error:
-                raise CodecError("range", f"{op.member} is out of range") from error
-        case m.ArrayOp():
-            _check_count(op, value)
-            for item in value:
-                _put(op.item, item, {}, out)
-        case m.StructOp():
-            known = {p.name for p in op.struct.parameters if p.constant is None}
-            for name in value:
-                if name not in known:
-                    raise CodecError("unknown", f"{op.struct.name} has no parameter {name}")
-            for part in op.struct.operations:
-                _write(part, value, out)
-        case m.SwitchOp():
-            case_ = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
-            member = case_.operation if case_ is not None else None
-            wanted = [member.member] if member is not None and not isinstance(member, m.GroupOp) else []
-            if list(value) != wanted:
-                raise CodecError("tag", f"{op.tag} is {values[op.tag]}, but {op.member} holds {list(value)}")
-            if member is not None:
-                _write(member, value, out)
+def _put(p: m.Parameter, value: Any, values: Values, out: bytearray) -> None:
+    if p.struct:
+        known = {q.name for q in p.struct.parameters if q.constant is None}
+        for name in value:
+            if name not in known:
+                raise CodecError("unknown", f"{p.struct.name} has no parameter {name}")
+        for q in p.struct.parameters:
+            _write(q, value, out)
+    elif p.union:
+        chosen = _chosen(p.union, values)
+        if list(value) != [q.name for q in chosen]:
+            raise CodecError("tag", f"{p.tag} is {values[p.union.tag]}, but {p.name} holds {list(value)}")
+        for q in chosen:
+            _write(q, value, out)
+    elif p.kind == "array":
+        _check_count(p, value)
+        for item in value:
+            _put(p.item, item, {}, out)
+    else:
+        out += _octets(p, value, values)
 
 
-def put(op: m.Operation, value: Any) -> bytes:
+def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
+    """The bytes of a number, of a text, or of a bitfield in bytes."""
+    if p.kind == "bits":
+        if not isinstance(value, list) or len(value) != p.size:
+            raise CodecError("count", f"{p.name} needs {p.size} bytes")
+        return b"".join(_bytes(p.scalar, byte) for byte in value)
+    if p.kind == "text":
+        _check_count(p, value)
+        try:
+            octets: bytes = value.encode("latin-1")
+        except UnicodeEncodeError as error:
+            raise CodecError("range", f"{p.name} is out of range") from error
+        return octets
+    if p.counts is not None:
+        items = values.get(p.counts)
+        if not isinstance(items, (list, str)) or len(items) != value:
+            raise CodecError("count", f"{p.name} is {value}")
+    return _bytes(p.scalar, value)
+
+
+def put(p: m.Parameter, value: Any) -> bytes:
     """The bytes of one value, without what other values of its record say of it."""
     out = bytearray()
-    _put(op, value, {}, out)
+    _put(p, value, {}, out)
     return bytes(out)
 
 
-def _check_count(op: m.TextOp | m.ArrayOp, value: Any) -> None:
-    if (op.count is not None and len(value) != op.count) or len(value) > op.capacity:
-        raise CodecError("count", f"{op.member} has {len(value)} elements")
+def counters(parameters: Iterable[m.Parameter], values: Values) -> Values:
+    """The counters of the arrays that are among the values."""
+    return {p.name: len(values[p.counts]) for p in parameters if p.counts and p.counts in values}
+
+
+def _check_count(p: m.Parameter, value: Any) -> None:
+    if (p.count is not None and len(value) != p.count) or len(value) > p.capacity:
+        raise CodecError("count", f"{p.name} has {len(value)} elements")
 
 
 def _bytes(scalar: m.Scalar, value: Any) -> bytes:
@@ -313,81 +307,74 @@ def _bytes(scalar: m.Scalar, value: Any) -> bytes:
 # --------------------------------------------------------------------------- values written by people
 
 
-def canonical(op: m.Operation, value: Any, where: str) -> Any:
+def canonical(p: m.Parameter, value: Any, where: str) -> Any:
     """A value as an example states it, in the form above. Raises ValueError with a remedy."""
-    match op:
-        case m.ScalarOp():
-            return _canonical_number(op, value, where)
-        case m.CounterOp() | m.ConstantOp():
-            return _canonical_number(m.ScalarOp(op.member, op.scalar, None, op.size), value, where)
-        case m.BitsOp():
-            return _canonical_bytes(op, value, where)
-        case m.TextOp():
-            if not isinstance(value, str):
-                raise ValueError(f"{where} must be text, in quotes")
-            if any(c > "\xff" for c in value):
-                raise ValueError(f"{where} must be text of Latin-1 characters")
-            return value.ljust(op.count or 0)
-        case m.ArrayOp():
-            if not isinstance(value, list):
-                raise ValueError(f"{where} must be a list")
-            return [canonical(op.item, v, f"{where}[{i}]") for i, v in enumerate(value)]
-        case m.StructOp():
-            return canonical_record(op.struct.operations, value, where)
-        case m.SwitchOp():
-            members = tuple(c.operation for c in op.cases if c.operation is not None)
-            return canonical_record(members, value, where)
-    raise AssertionError(op)
+    if p.struct:
+        return canonical_record(p.struct.parameters, value, where)
+    if p.union:
+        return canonical_record(p.alternatives, value, where)
+    if p.kind == "bits":
+        return _canonical_bytes(p, value, where)
+    if p.kind == "text":
+        if not isinstance(value, str):
+            raise ValueError(f"{where} must be text, in quotes")
+        if any(c > "\xff" for c in value):
+            raise ValueError(f"{where} must be text of Latin-1 characters")
+        return value.ljust(p.count or 0)
+    if p.kind == "array":
+        if not isinstance(value, list):
+            raise ValueError(f"{where} must be a list")
+        return [canonical(p.item, v, f"{where}[{i}]") for i, v in enumerate(value)]
+    return _canonical_real(p.scalar, value, where) if p.scalar.kind == "float" else _canonical_number(p, value, where)
 
 
-def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: str) -> Values:
+def canonical_record(parameters: Iterable[m.Parameter], values: Any, where: str) -> Values:
     if not isinstance(values, dict):
         raise ValueError(f"{where} must be a mapping of parameter names to values")
-    flat: dict[str, m.Operation] = {}
-    for op in operations:
-        for inner in op.body if isinstance(op, m.GroupOp) else (op,):
-            assert not isinstance(inner, m.GroupOp)
-            flat[inner.member] = inner
+    known = {p.name: p for p in parameters}
     for name in values:
-        if name not in flat:
-            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, flat)}")
-    return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
+        if name not in known:
+            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, known)}")
+    return {name: canonical(known[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
-def _canonical_bytes(op: m.BitsOp, value: Any, where: str) -> list[int]:
+def _canonical_bytes(p: m.Parameter, value: Any, where: str) -> list[int]:
     try:
-        found = list(bytes.fromhex(value) if isinstance(value, str) else bytes(list(value)))
+        octets = list(bytes.fromhex(value) if isinstance(value, str) else bytes(list(value)))
     except (TypeError, ValueError):
-        found = []
-    if len(found) != op.size:
-        raise ValueError(f"{where} must be {op.size} bytes: a list of numbers, or hexadecimal digits in quotes")
-    return found
+        octets = []
+    if len(octets) != p.size:
+        raise ValueError(f"{where} must be {p.size} bytes: a list of numbers, or hexadecimal digits in quotes")
+    return octets
 
 
-def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
-    if op.scalar.kind == "float":
-        if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * op.size}}}", value):
-            return value.lower()
-        if isinstance(value, (str, bool)) or value is None:
-            raise ValueError(
-                f"{where}: {value!r} is neither a number nor the {2 * op.size} hexadecimal digits of its bits"
-            )
-        try:
-            return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
-        except (OverflowError, struct.error) as error:
-            raise ValueError(f"{where}: {value!r} does not fit in a {op.scalar.name}") from error
-    if isinstance(value, str) and isinstance(op.type, m.Enum):
-        known = op.type.by_name(value)
+def _canonical_real(scalar: m.Scalar, value: Any, where: str) -> str:
+    if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * scalar.size}}}", value):
+        return value.lower()
+    if isinstance(value, (str, bool)) or value is None:
+        raise ValueError(
+            f"{where}: {value!r} is neither a number nor the {2 * scalar.size} hexadecimal digits of its bits"
+        )
+    try:
+        return "0x" + struct.pack(">f" if scalar.size == 4 else ">d", value).hex()
+    except (OverflowError, struct.error) as error:
+        raise ValueError(f"{where}: {value!r} does not fit in a {scalar.name}") from error
+
+
+def _canonical_number(p: m.Parameter, value: Any, where: str) -> int:
+    named = p.named
+    if isinstance(value, str) and isinstance(named, m.Enum):
+        known = named.by_name(value)
         if known is None:
-            near = nearest(value, [v.name for v in op.type.values])
-            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'{near}")
+            near = nearest(value, [v.name for v in named.values])
+            raise ValueError(f"{where}: '{named.name}' has no value '{value}'{near}")
         return known.value
-    if isinstance(value, list) and isinstance(op.type, m.Bitfield):
-        bits = {b.name: b for b in op.type.bits}
+    if isinstance(value, list) and isinstance(named, m.Bitfield):
+        bits = {b.name: b for b in named.bits}
         unknown = [n for n in value if not isinstance(n, str) or n not in bits]
         if unknown:
             near = nearest(str(unknown[0]), bits)
-            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'{near}")
+            raise ValueError(f"{where}: '{named.name}' has no bit '{unknown[0]}'{near}")
         mask = 0
         for n in value:
             mask |= bits[n].mask

@@ -11,15 +11,12 @@ from typing import NamedTuple
 
 from mipgen import model as m
 
-#: What counts the elements of an array that fills the field, as the specification calls it.
-REST = "rest"
-
 
 class Term(NamedTuple):
     """The bytes of an array whose length varies."""
 
     size: int  # of one element
-    counter: str  # its path: "list.count"; or REST
+    counter: str  # its path: "list.count"; or m.REST
     most: int = 0  # elements
 
 
@@ -50,81 +47,76 @@ class Extent:
     @property
     def filling(self) -> bool:
         """Does it end with the field, so that no counter decides?"""
-        return any(t.counter == REST for t in self.terms)
+        return any(t.counter == m.REST for t in self.terms)
 
     @property
     def counted(self) -> Extent:
         """Without what fills the field."""
-        return Extent(self.fixed, tuple(t for t in self.terms if t.counter != REST))
+        return Extent(self.fixed, tuple(t for t in self.terms if t.counter != m.REST))
 
 
-def extents(op: m.Operation, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The bytes that an operation may take: one for each alternative of a union, the shortest first.
+def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Extent]:
+    """The bytes that a parameter may take: one for each alternative of a union, the shortest first.
 
-    `prefix` leads to the record of the operation. `unknown`: a tag may be one that the specification does not know.
+    `prefix` leads to the record of the parameter. `unknown`: a tag may be one that the specification does not know.
     """
-    match op:
-        case m.TextOp() | m.ArrayOp():
-            size = element(op)
-            if op.count is not None:
-                return [Extent(op.count * size)]
-            return [Extent(0, (Term(size, REST if op.counter is None else prefix + op.counter, op.capacity),))]
-        case m.StructOp():
-            return totals(op.struct.operations, Extent(), f"{prefix}{op.member}.", unknown)
-        case m.SwitchOp():
-            inner = f"{prefix}{op.member}."
-            found = [e for c in op.cases if c.operation for e in extents(c.operation, inner, unknown)]
-            empty = unknown or any(c.operation is None for c in op.cases)
-            return _distinct([*found, *([Extent()] if empty else [])])
-        case m.GroupOp():
-            return totals(op.body, Extent(), prefix, unknown)
-        case _:
-            return [Extent(op.size)]
+    if p.struct:
+        return totals(p.struct.parameters, Extent(), f"{prefix}{p.name}.", unknown)
+    if p.union:
+        inner = f"{prefix}{p.name}."
+        full = [e for q in p.alternatives for e in extents(q, inner, unknown)]
+        empty = unknown or len(p.alternatives) < len(p.cases)
+        return _distinct([*full, *([Extent()] if empty else [])])
+    if not p.several:
+        return [Extent(p.size)]
+    if p.count is not None:
+        return [Extent(p.count * element(p))]
+    return [Extent(0, (Term(element(p), prefix + p.counter if p.counter else m.REST, p.capacity),))]
 
 
-def totals(operations: Iterable[m.Operation], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The bytes that some operations may take together, after those before them."""
-    found = [start]
-    for op in operations:
-        found = [a + b for a in found for b in extents(op, prefix, unknown)]
-    return _distinct(found)
+def totals(parameters: Iterable[m.Parameter], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
+    """The bytes that some parameters may take together, after those before them."""
+    sums = [start]
+    for p in parameters:
+        sums = [a + b for a in sums for b in extents(p, prefix, unknown)]
+    return _distinct(sums)
 
 
-def _distinct(found: Iterable[Extent]) -> list[Extent]:
-    return sorted(dict.fromkeys(found), key=lambda e: (e.fixed, e.terms))
+def _distinct(several: Iterable[Extent]) -> list[Extent]:
+    return sorted(dict.fromkeys(several), key=lambda e: (e.fixed, e.terms))
 
 
 # --------------------------------------------------------------------------- what is asked of them
 
 
-def exact(op: m.Operation, prefix: str = "") -> Extent | None:
-    """The bytes of an operation, if those before it determine them."""
-    found = extents(op, prefix)
-    return found[0] if len(found) == 1 and not found[0].filling else None
+def exact(p: m.Parameter, prefix: str = "") -> Extent | None:
+    """The bytes of a parameter, if those before it determine them."""
+    several = extents(p, prefix)
+    return several[0] if len(several) == 1 and not several[0].filling else None
 
 
-def shortest(operations: Iterable[m.Operation], prefix: str = "") -> Extent:
-    """The bytes that operations take at least, given their counters."""
-    return totals(operations, Extent(), prefix, unknown=True)[0]
+def shortest(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
+    """The bytes that parameters take at least, given their counters."""
+    return totals(parameters, Extent(), prefix, unknown=True)[0]
 
 
-def size(op: m.Operation) -> tuple[int, int]:
-    """The fewest and the most bytes of an operation."""
-    if isinstance(op, m.StructOp):
-        return op.struct.min_size, op.struct.max_size
-    found = extents(op, unknown=True)
-    return min(e.fixed for e in found), max(e.most for e in found)
+def size(p: m.Parameter) -> tuple[int, int]:
+    """The fewest and the most bytes of a parameter."""
+    if p.struct:
+        return p.struct.min_size, p.struct.max_size
+    several = extents(p, unknown=True)
+    return min(e.fixed for e in several), max(e.most for e in several)
 
 
-def fewest(operations: Iterable[m.Operation]) -> int:
-    return sum(size(op)[0] for op in operations)
+def fewest(parameters: Iterable[m.Parameter]) -> int:
+    return sum(size(p)[0] for p in parameters)
 
 
-def most(operations: Iterable[m.Operation]) -> int:
+def most(parameters: Iterable[m.Parameter]) -> int:
     """As many as fit into a field."""
-    return min(m.MAX_FIELD_DATA, sum(size(op)[1] for op in operations))
+    return min(m.MAX_FIELD_DATA, sum(size(p)[1] for p in parameters))
 
 
-def element(op: m.TextOp | m.ArrayOp) -> int:
-    """The bytes of one element."""
-    return 1 if isinstance(op, m.TextOp) else size(op.item)[1]
+def element(p: m.Parameter) -> int:
+    """The bytes of one item of an array or a text."""
+    return size(p.item)[1]

@@ -15,7 +15,7 @@ def computed_length(f: m.Field, rule: str) -> str:
     `wire` counts every byte. `scalars` counts scalars and arrays of them, and counted arrays in
     formulas, but neither vectors nor structures nor unions.
     """
-    counted = (p.operation for p in f.parameters if rule == "wire" or p.operation.open or _is_number(p))
+    counted = (p for p in f.parameters if rule == "wire" or p.open or _is_number(p))
     return str(Extent(2) + shortest(counted))
 
 

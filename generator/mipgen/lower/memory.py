@@ -11,8 +11,6 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
-from .presence import Record
-
 #: No machine that C runs on aligns numbers more than this, so no compiler leaves more bytes unused before a member.
 MAX_ALIGNMENT = 8
 
@@ -40,14 +38,9 @@ def widest(_place: int, _alignment: int) -> int:
     return MAX_ALIGNMENT - 1
 
 
-def members(record: Record) -> list[m.Parameter]:
+def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that have a member: no constants, and no unions without alternatives."""
-    return [p for p in record.parameters if p.constant is None and (p.element is not None or alternatives(p))]
-
-
-def alternatives(p: m.Parameter) -> list[m.Parameter]:
-    """The members of a union."""
-    return [c.parameter for c in p.cases if c.parameter is not None]
+    return [p for p in record.parameters if p.constant is None and (p.alternatives or not p.union)]
 
 
 def largest(model: m.Model) -> int:
@@ -56,40 +49,36 @@ def largest(model: m.Model) -> int:
     return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
 
 
-def record(of: Record, gap: Gap = natural) -> Room:
+def record(of: m.Record, gap: Gap = natural) -> Room:
     """The memory of a structure."""
     rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
     for p in members(of):
-        rooms += [Room(1)] if p.length == "rest" else []
-        rooms.append(_member(p, gap))
+        rooms += [Room(1)] if p.fills else []
+        rooms.append(_room(p, gap))
     return _in_a_row(rooms or [Room(1)], gap)
 
 
-def _member(p: m.Parameter, gap: Gap) -> Room:
-    if p.element is not None:
-        return _room(p.operation, gap)
-    rooms = [
-        _in_a_row([Room(1), _room(a.operation, gap)], gap) if a.length == "rest" else _room(a.operation, gap)
-        for a in alternatives(p)
-    ]
+def _room(p: m.Parameter, gap: Gap) -> Room:
+    if p.struct:
+        return record(p.struct, gap)
+    if p.union:
+        return _union([_alternative(q, gap) for q in p.alternatives], gap)
+    if p.kind == "text":
+        return Room(p.capacity + 1)
+    if p.kind == "array":
+        item = _room(p.item, gap)
+        return Room(max(1, p.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
+    return Room(p.size, 1 if p.kind == "bits" else p.size)
+
+
+def _alternative(p: m.Parameter, gap: Gap) -> Room:
+    room = _room(p, gap)
+    return _in_a_row([Room(1), room], gap) if p.fills else room
+
+
+def _union(rooms: Sequence[Room], gap: Gap) -> Room:
     size, alignment = max(r.size for r in rooms), max(r.alignment for r in rooms)
     return Room(size + gap(size, alignment), alignment, max(r.last for r in rooms))
-
-
-def _room(op: m.Operation, gap: Gap) -> Room:
-    match op:
-        case m.ScalarOp() | m.CounterOp():
-            return Room(op.size, op.size)
-        case m.BitsOp():
-            return Room(op.size)
-        case m.TextOp():
-            return Room(op.capacity + 1)
-        case m.ArrayOp():
-            item = _room(op.item, gap)
-            return Room(max(1, op.capacity) * (item.size + gap(item.size, item.alignment)), item.alignment)
-        case m.StructOp():
-            return record(op.struct, gap)
-    raise AssertionError(op)
 
 
 def _in_a_row(rooms: Sequence[Room], gap: Gap) -> Room:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from mipgen import model as m
 
 from . import extent
-from .presence import single
 
 #: Names of members, and numbers of elements.
 Path = tuple[str | int, ...]
@@ -22,55 +21,49 @@ class Run:
     """Numbers of one kind, one behind the other."""
 
     path: Path
-    op: m.ValueOp  # what they are
-    scalar: m.Scalar
+    parameter: m.Parameter  # what they are
     count: int | None  # None: a single number
     offset: int
+
+    @property
+    def scalar(self) -> m.Scalar:
+        return self.parameter.scalar
 
     @property
     def size(self) -> int:
         return self.scalar.size * (1 if self.count is None else self.count)
 
 
-def run(op: m.Operation, path: Path = (), offset: int = 0) -> Run | None:
-    """The numbers of an operation, if it is nothing but numbers of one kind, and always as many."""
-    match op:
-        case m.ScalarOp() | m.ConstantOp() | m.CounterOp():
-            return Run(path, op, op.scalar, None, offset)
-        case m.BitsOp():
-            return Run(path, op, m.SCALARS["u8"], op.size, offset)
-        case m.TextOp(count=int(count)):
-            return Run(path, op, m.SCALARS["char"], count, offset)
-        case m.ArrayOp(item=m.ScalarOp() as item, count=int(count)):
-            return Run(path, op, item.scalar, count, offset)
-    return None
+def run(p: m.Parameter, path: Path = (), offset: int = 0) -> Run | None:
+    """The numbers of a parameter, if it is nothing but numbers of one kind, and always as many."""
+    if p.kind in ("struct", "switch") or p.open or (p.several and p.item.kind != "scalar"):
+        return None
+    return Run(path, p, p.size if p.kind == "bits" else p.count, offset)
 
 
 def runs(f: m.Field) -> list[Run]:
     """Those that a whole field consists of; none if its layout varies or has constants, which need checks."""
-    if f.min_size != f.max_size or not all(map(_fixed, f.operations)):
+    if f.min_size != f.max_size or f.optional or not all(map(_fixed, f.parameters)):
         return []
-    return [*_all(single(f.operations), (), 0)]
+    return [*_all(f.parameters, (), 0)]
 
 
-def _fixed(op: m.Operation) -> bool:
-    if op.kind in ("constant", "counter", "switch", "group") or op.open:
-        return False
-    return all(map(_fixed, op.inside))
+def _fixed(p: m.Parameter) -> bool:
+    return p.kind not in ("constant", "counter", "switch") and not p.open and all(map(_fixed, p.inside))
 
 
-def _all(operations: Sequence[m.ValueOp], path: Path, offset: int) -> Iterator[Run]:
-    for op in operations:
-        yield from _inside(op, (*path, op.member), offset)
-        offset += extent.size(op)[0]
+def _all(parameters: Sequence[m.Parameter], path: Path, offset: int) -> Iterator[Run]:
+    for p in parameters:
+        yield from _inside(p, (*path, p.name), offset)
+        offset += extent.size(p)[0]
 
 
-def _inside(op: m.ValueOp, path: Path, offset: int) -> Iterator[Run]:
-    one = run(op, path, offset)
+def _inside(p: m.Parameter, path: Path, offset: int) -> Iterator[Run]:
+    one = run(p, path, offset)
     if one is not None:
         yield one
-    elif isinstance(op, m.ArrayOp):
-        for i in range(op.count or 0):
-            yield from _inside(op.item, (*path, i), offset + i * extent.element(op))
-    elif isinstance(op, m.StructOp):
-        yield from _all(op.struct.operations, path, offset)
+    elif p.struct:
+        yield from _all(p.struct.parameters, path, offset)
+    else:
+        for i in range(p.count or 0):
+            yield from _inside(p.item, (*path, i), offset + i * extent.element(p))

@@ -10,9 +10,8 @@ from typing import Final, Literal
 from mipgen.read.position import Position
 
 from .details import Detail, Prose
-from .operations import BitsOp, ConstantOp, CounterOp, Operation, ScalarOp
-from .parameters import Parameter
-from .types import Function, Source, Type
+from .parameters import Group, Parameter, groups
+from .types import Function, Source, Struct, Type
 
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
@@ -48,9 +47,24 @@ class Call:
     optional: tuple[Parameter, ...]  # may follow these: no function requires them
 
     @property
-    def asked(self) -> tuple[Parameter, ...]:
-        """What a caller must give: neither constants nor reserved values."""
+    def given(self) -> tuple[Parameter, ...]:
+        """What a caller must give who also fills in counters and tags: neither constants nor reserved values."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
+
+    @property
+    def values(self) -> tuple[Parameter, ...]:
+        """The same without counters, where an array knows its length."""
+        return tuple(p for p in self.given if p.counts is None)
+
+    @property
+    def unions(self) -> dict[str, Parameter]:
+        """Tag -> the union that it selects an alternative of: where a union knows its alternative, the tag follows."""
+        return {p.tag: p for p in self.required if p.tag}
+
+    @property
+    def addable(self) -> tuple[Parameter, ...]:
+        """The optional parameters that a caller may give."""
+        return tuple(p for p in self.optional if p.reserved is None and not p.derived)
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +124,6 @@ class Field:
     title: Prose
     description: Prose
     parameters: tuple[Parameter, ...]
-    operations: tuple[Operation, ...]
     min_size: int
     max_size: int
     sources: tuple[Source, ...]
@@ -137,6 +150,11 @@ class Field:
     @cached_property
     def full_name(self) -> str:
         return f"{self.family}.{self.name}"
+
+    @property
+    def owner(self) -> str:
+        """What defines it, as of a type: its family."""
+        return self.family
 
     @property
     def sets(self) -> Sequence[int]:
@@ -171,36 +189,55 @@ class Field:
 
     def required(self, function: int | None = None) -> int:
         """How many parameters (the selector not counted) must be there; an unknown function requires none."""
-        value = function if self.selector else None
-        return next((len(c.required) for c in self.calls if (c.function and c.function.value) == value), 0)
+        return self.requires.get(function if self.selector else None, 0)
+
+    @cached_property
+    def requires(self) -> dict[int | None, int]:
+        """Function -> how many parameters must be there; None: it has no selector."""
+        return {c.function.value if c.function else None: len(c.required) for c in self.calls}
+
+    @cached_property
+    def present_with(self) -> dict[str, int]:
+        """Parameter -> how many are present when it is, for those that may be absent."""
+        return {p.name: group.last for group in self.groups for p in group.parameters}
 
     @property
     def optional(self) -> bool:
         """May parameters be absent?"""
-        return any(op.kind == "group" for op in self.operations)
+        return bool(self.groups)
 
     @property
     def counted(self) -> tuple[Parameter, ...]:
         """The parameters that a count of present ones counts: all but the selector."""
         return tuple(p for p in self.parameters if not p.selector)
 
-    @property
-    def constants(self) -> tuple[tuple[int, ConstantOp], ...]:
-        """The constants at known offsets in the data, which distinguish two layouts of a descriptor."""
-        found, offset = [], 0
-        for op in self.operations:
-            if not isinstance(op, (ScalarOp, ConstantOp, CounterOp, BitsOp)):
-                break
-            if isinstance(op, ConstantOp):
-                found.append((offset, op))
-            offset += op.size
-        return tuple(found)
+    @cached_property
+    def always(self) -> tuple[Parameter, ...]:
+        """The parameters that are always there: the selector, or those before the first optional one."""
+        first = (i for i, p in enumerate(self.parameters) if p.optional)
+        return self.parameters[: 1 if self.selector else next(first, None)]
+
+    @cached_property
+    def groups(self) -> tuple[Group, ...]:
+        """The other parameters."""
+        return tuple(groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
 
     @property
-    def signature(self) -> tuple[tuple[int, int, int], ...]:
-        """Its constants as offset, size and value: layouts that share them are distinguished by the size of the
-        data."""
-        return tuple((at, op.size, op.value) for at, op in self.constants)
+    def signature(self) -> tuple[tuple[int, bytes], ...]:
+        """The constants at known offsets in the data, which distinguish the layouts of a descriptor; those that share
+        them are distinguished by the size of the data."""
+        constants, offset = [], 0
+        for p in self.always:
+            if p.kind not in ("scalar", "constant", "counter", "bits"):
+                break
+            if p.kind == "constant":
+                constants.append((offset, p.octets))
+            offset += p.size
+        return tuple(constants)
+
+
+#: What has parameters.
+Record = Field | Struct
 
 
 @dataclass(frozen=True, slots=True)

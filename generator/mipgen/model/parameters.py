@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Final, Literal
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from typing import Final, Literal
 
+from mipgen.base.reads import kept
 from mipgen.read.position import Position
 
 from .details import Detail, Prose
-from .types import Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Vector
-
-if TYPE_CHECKING:
-    from .operations import ValueOp
+from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Vector
 
 #: How a number that people know in hexadecimal is meant: as such, as that of a descriptor set, as a field descriptor.
 Shown = Literal["hex", "set", "field"]
+
+#: How a parameter is read and written: what a codec has one branch, or one word, for.
+Shape = Literal["scalar", "constant", "counter", "bits", "text", "array", "struct", "switch"]
+
+#: The length of an array or a text that fills the field.
+REST: Final = "rest"
 
 #: `Variant.by` of a variant that depends on the device.
 DEVICE: Final = "device"
@@ -27,7 +32,25 @@ class Case:
 
     tag: EnumValue
     parameter: Parameter | None
-    operation: ValueOp | None
+
+
+@dataclass(frozen=True, slots=True)
+class Union:
+    """The alternatives of a parameter, one of which the parameter `tag` selects; nothing for an unknown value.
+
+    A union is always the last of its record, so that nothing after an unknown tag is lost.
+    """
+
+    tag: str
+    type: Enum  # of the tag
+    cases: tuple[Case, ...]
+
+
+def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
+    """Have two unions the same alternatives?"""
+    pairs = list(zip(cases, others, strict=False))
+    same = all(a.parameter.alike(b.parameter) if a.parameter and b.parameter else a == b for a, b in pairs)
+    return same and [c.tag for c in cases] == [c.tag for c in others]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,18 +80,17 @@ class Variant:
         return self.by == DEVICE
 
 
-@dataclass(frozen=True, slots=True, eq=False)  # to compare all of it takes long; see `alike`
+@dataclass(frozen=True, eq=False)  # to compare all of it takes long; see `alike`
 class Parameter:
-    """One named value of a field or a structure, in wire order.
+    """One named value of a field or a structure, in wire order: what it means, and how it is read and written.
 
     `element` is what one item is; `length` says how many: None for a single value, a number for a
-    fixed array, the counter's name for a counted one, "rest" for one that fills the field.
+    fixed array, the counter's name for a counted one, REST for one that fills the field.
     """
 
     name: str
     element: Scalar | Enum | Bitfield | Vector | Struct | None  # None: a union
     length: int | str | None
-    operation: ValueOp = field(compare=False)
     description: Prose = ""
     units: Detail[tuple[str, ...]] = ()  # one for all elements, or one for each
     any_unit: bool = False  # no unit can be named: another value decides it, or it is not known
@@ -87,8 +109,7 @@ class Parameter:
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may be received
     counts: str | None = None  # the array that this parameter counts
-    tag: str | None = None  # a union's tag
-    cases: tuple[Case, ...] = ()
+    union: Union | None = None
     by_device: bool = False  # every device that supports it has a type for it
     required_for: tuple[Function, ...] = ()  # the functions that require it; none where there is no selector
     optional: bool = False  # no function requires it
@@ -96,11 +117,8 @@ class Parameter:
     deprecated: bool = False
     notes: tuple[Prose, ...] = ()
     uncertain: tuple[Prose, ...] = ()
+    most: int = field(default=0, compare=False)  # items that a field holds, if their number varies
     position: Position | None = field(default=None, compare=False)
-
-    def alike(self, other: Parameter) -> bool:
-        """Do they differ at most in their places?"""
-        return all(getattr(self, f.name) == getattr(other, f.name) for f in fields(self) if f.compare)
 
     @property
     def derived(self) -> bool:
@@ -112,11 +130,158 @@ class Parameter:
         """The variants that name its values or bits; those that name the ones of a member are not among them."""
         return tuple(v for v in self.variants if v.type is not None and not v.member)
 
+    @property
+    def tag(self) -> str | None:
+        """Of a union: the parameter that selects the alternative."""
+        return self.union.tag if self.union else None
 
-def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
-    """Have two unions the same alternatives?"""
-    return len(cases) == len(others) and all(
-        a.tag == b.tag
-        and (a.parameter.alike(b.parameter) if a.parameter and b.parameter else a.parameter is b.parameter)
-        for a, b in zip(cases, others, strict=True)
-    )
+    @property
+    def cases(self) -> tuple[Case, ...]:
+        """Of a union: the alternatives."""
+        return self.union.cases if self.union else ()
+
+    @property
+    def alternatives(self) -> tuple[Parameter, ...]:
+        """Of a union: what its alternatives hold, without the empty ones."""
+        return tuple(c.parameter for c in self.cases if c.parameter is not None)
+
+    def alike(self, other: Parameter) -> bool:
+        """Do they differ at most in their places?"""
+        return all(getattr(self, f.name) == getattr(other, f.name) for f in fields(self) if f.compare)
+
+    # ------------------------------------------------------------------ how it is read and written
+
+    @cached_property
+    def kind(self) -> Shape:
+        if self.constant is not None:
+            return "constant"
+        if self.counts is not None:
+            return "counter"
+        if self.union is not None:
+            return "switch"
+        if self.length is not None:
+            return "text" if isinstance(self.element, Scalar) and self.element.kind == "char" else "array"
+        if isinstance(self.element, Bitfield) and self.element.scalar is None:
+            return "bits"
+        return "struct" if self.struct else "array" if self.vector else "scalar"
+
+    @property
+    def struct(self) -> Struct | None:
+        """The structure that it is; an array of structures has it in its `item`."""
+        return self.element if isinstance(self.element, Struct) and self.length is None else None
+
+    @property
+    def vector(self) -> Vector | None:
+        """The vector, matrix or quaternion that it is; an array of vectors has it in its `item`."""
+        return self.element if isinstance(self.element, Vector) and self.length is None else None
+
+    @property
+    def elements(self) -> tuple[str, ...]:
+        """The names of the elements of a vector, or of each vector of an array."""
+        return self.element.elements if isinstance(self.element, Vector) else ()
+
+    @property
+    def named(self) -> Enum | Bitfield | None:
+        """The type that names its values or bits; of an array, see its `leaf`."""
+        return self.element if isinstance(self.element, (Enum, Bitfield)) and self.length is None else None
+
+    @cached_property
+    def scalar(self) -> Scalar:
+        """The number that it is, or that it consists of; structures and unions do not have one."""
+        scalar = self.element if isinstance(self.element, Scalar) else getattr(self.element, "scalar", None)
+        return scalar or SCALARS["u8"]
+
+    @property
+    def size(self) -> int:
+        """The bytes of a single number, or of the bytes of a bitfield."""
+        return self.element.size if isinstance(self.element, Bitfield) else self.scalar.size
+
+    @property
+    def octets(self) -> bytes:
+        """The bytes of a constant."""
+        return (self.constant or 0).to_bytes(self.size, "big")
+
+    @property
+    def count(self) -> int | None:
+        """The number of items of an array, a vector or a text, if it is always the same."""
+        if self.vector:
+            return len(self.vector.elements)
+        return self.length if isinstance(self.length, int) else None
+
+    @property
+    def counter(self) -> str | None:
+        """The parameter that holds the number of items, if it is not always the same and does not fill the field."""
+        return self.length if isinstance(self.length, str) and self.length != REST else None
+
+    @property
+    def capacity(self) -> int:
+        """The most items of an array, a vector or a text."""
+        return self.most if self.count is None else self.count
+
+    @property
+    def several(self) -> bool:
+        """Is it an array, a vector or a text?"""
+        return self.kind in ("array", "text")
+
+    @property
+    def open(self) -> bool:
+        """Is it an array or a text whose length varies?"""
+        return isinstance(self.length, str)
+
+    @kept
+    def item(self) -> Parameter:
+        """One item of an array or a vector, with the same meaning; of what is not several, it itself."""
+        if not self.several:
+            return self
+        element = self.vector.scalar if self.vector else self.element
+        return replace(self, name="item", element=element, length=None, default=None, typical=None)
+
+    @property
+    def leaf(self) -> Parameter:
+        """One item of an array, of the vectors of an array, or of a vector; of anything else, it itself."""
+        return self.item.leaf if self.kind == "array" else self
+
+    @property
+    def fills(self) -> bool:
+        """Is it an array or a text that fills the field?"""
+        return self.length == REST
+
+    @property
+    def types(self) -> tuple[Type, ...]:
+        """The types that it names: its own, those of its variants, and those of its alternatives."""
+        own = () if self.element is None or isinstance(self.element, Scalar) else (self.element,)
+        variants = (v.type for v in self.variants if v.type is not None)
+        return (*own, *variants, *(t for p in self.alternatives for t in p.types))
+
+    @property
+    def inside(self) -> tuple[Parameter, ...]:
+        """The parameters that it consists of."""
+        if self.struct:
+            return self.struct.parameters
+        return (self.item,) if self.several else self.alternatives
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Parameters of a field that are present or absent together: one, or a counter up to its array.
+
+    They are the numbers `first` to `last` (from 1, the function selector not counted). The group is required when
+    `last` <= the number that the selected function requires; otherwise it is read only if it is wholly there.
+    """
+
+    first: int
+    last: int
+    parameters: tuple[Parameter, ...]
+
+
+def groups(parameters: Sequence[Parameter], before: int) -> Iterator[Group]:
+    """The groups of parameters that may be absent, after `before` others; a counter stays with its array."""
+    group, arrays, names = list[Parameter](), set[str](), {p.name for p in parameters}
+    for number, p in enumerate(parameters, before + 1):
+        group.append(p)
+        arrays.discard(p.name)
+        if p.counts in names:
+            arrays.add(p.counts)
+        if not arrays:
+            yield Group(number - len(group) + 1, number, tuple(group))
+            group = []

@@ -11,8 +11,7 @@ from mipgen.read.position import Position
 from .details import Detail, Prose
 
 if TYPE_CHECKING:
-    from .operations import ValueOp
-    from .parameters import Parameter
+    from .parameters import Group, Parameter
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +134,17 @@ class Vector:
     uncertain: tuple[Prose, ...] = ()
     kind: Literal["vector"] = "vector"
 
+    @property
+    def owner(self) -> None:
+        """No set: vectors belong to all. Nor do they have sources, or a place in a file."""
+
+    @property
+    def position(self) -> None: ...
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        return ()
+
 
 @dataclass(frozen=True, slots=True)
 class Struct:
@@ -142,7 +152,6 @@ class Struct:
 
     name: str
     parameters: tuple[Parameter, ...]
-    operations: tuple[ValueOp, ...]
     min_size: int
     max_size: int
     description: Prose
@@ -154,11 +163,37 @@ class Struct:
     position: Position | None = field(default=None, compare=False)
 
     @property
+    def always(self) -> tuple[Parameter, ...]:
+        """The parameters that are always there: in a structure, all."""
+        return self.parameters
+
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        """None: see those of a field."""
+        return ()
+
+    @property
+    def present_with(self) -> dict[str, int]:
+        return {}
+
+    @property
+    def optional(self) -> bool:
+        return False
+
+    @property
+    def selector(self) -> bool:
+        return False
+
+    @property
     def fixed(self) -> bool:
         return self.min_size == self.max_size
 
 
 Type = Enum | Bitfield | Vector | Struct
+
+
+def structs(types: Iterable[Type]) -> list[Struct]:
+    return [t for t in types if isinstance(t, Struct)]
 
 
 @dataclass(frozen=True, slots=True)

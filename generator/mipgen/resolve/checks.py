@@ -51,7 +51,7 @@ def fields(model: m.Model, problems: Problems) -> None:
 
 def fields_of(model: m.Model, problems: Problems) -> None:
     """What says of which set field descriptors are: a parameter beside them, or the name of a set."""
-    records: list[m.Field | m.Struct] = [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
+    records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
     for record in records:
         sets = {p.name for p in record.parameters if p.shown == "set"}
         names = {s.name for s in model.sets}
@@ -111,8 +111,8 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
     """By a constant that differs; or, with the same constants, by their sizes."""
     if a.role != m.RESPONSE or b.role != m.RESPONSE:
         return False
-    mine = {(at, size): value for at, size, value in a.signature}
-    if any(mine.get((at, size), value) != value for at, size, value in b.signature):
+    mine = {(at, len(constant)): constant for at, constant in a.signature}
+    if any(mine.get((at, len(constant)), constant) != constant for at, constant in b.signature):
         return True
     fixed = a.min_size == a.max_size and b.min_size == b.max_size
     return a.signature == b.signature and fixed and a.min_size != b.min_size
@@ -210,7 +210,7 @@ def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
 def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Position | None]]:
     for p in parameters:
         yield p.name, p.position
-        yield from _names_of(tuple(c.parameter for c in p.cases if c.parameter is not None))
+        yield from _names_of(p.alternatives)
 
 
 # --------------------------------------------------------------------------- types
@@ -278,7 +278,7 @@ def _parameters(model: m.Model) -> Iterator[m.Parameter]:
     for parameters in (
         model.protocol.acknowledge.parameters,
         *(f.parameters for f in model.fields),
-        *(t.parameters for t in _all_types(model) if isinstance(t, m.Struct)),
+        *(t.parameters for t in m.structs(_all_types(model))),
     ):
         yield from (p for p in parameters if p.reserved is None)
 

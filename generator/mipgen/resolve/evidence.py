@@ -154,7 +154,7 @@ class _Example:
             field = field_named(self.model, name, entry.position)
             stated = stated_values(field, values)
             try:
-                data = codec.encode(field, with_counters(field.operations, stated))
+                data = codec.encode(field, with_counters(field, stated))
             except codec.CodecError as error:
                 raise Wrong(values.position, f"'{name}' cannot be encoded: {error}") from error
             parts.append((field.descriptor, data))
@@ -291,7 +291,7 @@ def stated_values(field: m.Field, node: Node) -> codec.Values:
             if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
                 raise Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
     try:
-        return codec.canonical_record(field.operations, values, field.full_name)
+        return codec.canonical_record(field.parameters, values, field.full_name)
     except ValueError as error:
         raise Wrong(node.position, str(error)) from error
 
@@ -313,14 +313,10 @@ def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
     return data[1], data[2:]
 
 
-def with_counters(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
+def with_counters(field: m.Field, values: codec.Values) -> codec.Values:
     """Adds counters that the author left out."""
-    found = dict(values)
-    for op in operations:
-        for inner in op.body if isinstance(op, m.GroupOp) else (op,):
-            if isinstance(inner, m.CounterOp) and inner.array in values:
-                found.setdefault(inner.member, len(values[inner.array]))
-    return found
+    counters = codec.counters(field.parameters, values)
+    return values | {name: count for name, count in counters.items() if name not in values}
 
 
 # --------------------------------------------------------------------------- errata

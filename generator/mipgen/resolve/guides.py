@@ -98,7 +98,7 @@ class _Guide:
             raise evidence.Wrong(node["command"].position, f"'{command.full_name}' is no command")
         stated = evidence.stated_values(command, node["values"]) if "values" in node else {}
         place = node["values"].position if "values" in node else node["command"].position
-        values = evidence.with_counters(command.operations, stated)
+        values = evidence.with_counters(command, stated)
         call = self.call(command, values, place)
         self.supported(command, call.function, devices, node["command"].position)
         packet = self.packet(command.set, [(command, values)], place)
@@ -187,10 +187,7 @@ class _Guide:
             evidence.stated_values(f, n) if n is not None and n.value is not None else {} for n in (stated, example)
         )
         values = _merged(self.samples.values(f, f.calls[0]), {**seen, **sure})
-        for op in f.operations:
-            for counter in op.body if isinstance(op, m.GroupOp) else (op,):
-                if isinstance(counter, m.CounterOp) and counter.array in values:
-                    values[counter.member] = len(values[counter.array])
+        values |= codec.counters(f.parameters, values)
         try:
             return Shown(f, values, codec.encode(f, values), tuple(sure))
         except codec.CodecError as error:

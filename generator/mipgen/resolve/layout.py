@@ -1,4 +1,4 @@
-"""Turns parameters into operations.
+"""Turns nodes into parameters.
 
 What the wire looks like is decided here: sizes, capacities, presence. Nothing downstream computes.
 """
@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 
 from mipgen import model as m
 from mipgen.lower import codec, extent
-from mipgen.lower.extent import REST
-from mipgen.lower.operations import open_ended, operation, with_capacity
 from mipgen.read.nodes import Node
 from mipgen.read.problems import nearest
 
@@ -28,7 +26,6 @@ class Record:
     """The layout of a field or of a structure."""
 
     parameters: tuple[m.Parameter, ...]
-    operations: tuple[m.Operation, ...]
     min_size: int
     max_size: int
 
@@ -57,7 +54,7 @@ class Layout:
 
     def taken(self, parameters: Sequence[m.Parameter]) -> int:
         """The fewest bytes that a field has with these parameters."""
-        return self.before + (1 if self.functions else 0) + extent.fewest(p.operation for p in parameters)
+        return self.before + (1 if self.functions else 0) + extent.fewest(parameters)
 
     def earlier(self, name: str) -> m.Parameter | None:
         return next((p for p in self.done if p.name == name), None)
@@ -69,7 +66,7 @@ class Layout:
         if self.earlier(name) or (self.functions and name == "function"):
             self.problem(node["name"].position, f"the parameter '{name}' is defined twice; rename one")
             return
-        if self.done and open_ended(self.done[-1].operation):
+        if self.done and open_ended(self.done[-1]):
             last = self.done[-1].name
             self.problem(node.position, f"'{name}' cannot follow '{last}', which takes the rest of the field")
             return
@@ -99,14 +96,14 @@ class Layout:
                 near = nearest(label, [v.name for v in tag.element.values])
                 self.problem(node["cases"].keys[label], f"'{tag.element.name}' has no value '{label}'{near}")
             elif not case.value:
-                cases.append(m.Case(value, None, None))
+                cases.append(m.Case(value, None))
             else:
                 member = self.case(label, case, node["cases"].keys[label])
                 if member is None:
                     continue
                 if any(c.parameter and c.parameter.name == member.name for c in cases):
                     self.problem(member.position, f"two cases of '{name}' are called '{member.name}'; rename one")
-                cases.append(m.Case(value, member, member.operation))
+                cases.append(m.Case(value, member))
         missing = [v.name for v in tag.element.values if v.name not in node["cases"].value]
         if missing:
             self.problem(
@@ -114,8 +111,8 @@ class Layout:
                 f"the union '{name}' has no case for {', '.join(missing)} of '{tag.element.name}'; "
                 "add one ({} if it is empty)",
             )
-        op = m.SwitchOp(name, tag_name, tag.element, tuple(cases))
-        return m.Parameter(name, None, None, op, tag=tag_name, cases=tuple(cases), position=node.position)
+        union = m.Union(tag_name, tag.element, tuple(cases))
+        return m.Parameter(name, None, None, union=union, position=node.position)
 
     def case(self, label: str, node: Node, place: m.Position) -> m.Parameter | None:
         """The one parameter of a union's case."""
@@ -123,7 +120,7 @@ class Layout:
             self.problem(place, f"the case '{label}' needs a type, or to be empty: {{}}")
             return None
         count = node.scalar("count")
-        if isinstance(count, str) and count != REST:
+        if isinstance(count, str) and count != m.REST:
             self.problem(
                 node["count"].position, f"the case '{label}' cannot be counted; use a structure with a counter"
             )
@@ -153,9 +150,9 @@ class Layout:
         if length is not None and isinstance(element, m.Bitfield) and element.scalar is None:
             self.problem(node["count"].position, f"'{type_name}' is a wide bitfield, so there can be no array of it")
             return None
-        if isinstance(length, str) and length != REST and not self.counter(node, name, length):
+        if isinstance(length, str) and length != m.REST and not self.counter(node, name, length):
             return None
-        return m.Parameter(name, element, length, operation(name, element, length), position=node.position)
+        return m.Parameter(name, element, length, position=node.position)
 
     def constant(self, node: Node, name: str, element: m.Scalar | m.Type) -> m.Parameter | None:
         value = node["const"].value
@@ -164,8 +161,7 @@ class Layout:
             return None
         if value >> (8 * element.size):
             self.problem(node["const"].position, f"{value} does not fit in {element.name}")
-        op = m.ConstantOp(name, element, value, element.size)
-        return m.Parameter(name, element, None, op, constant=value, position=node.position)
+        return m.Parameter(name, element, None, constant=value, position=node.position)
 
     def counter(self, node: Node, name: str, counter: str) -> bool:
         """Marks the parameter `counter` as the number of elements of `name`."""
@@ -179,9 +175,7 @@ class Layout:
                 if p.counts:
                     self.problem(place, f"'{counter}' already counts '{p.counts}'; give '{name}' its own counter")
                     return False
-                assert isinstance(p.element, m.Scalar)
-                op = m.CounterOp(counter, p.element, name, p.element.size)
-                self.done[i] = replace(p, counts=name, operation=op)
+                self.done[i] = replace(p, counts=name)
                 return True
         near = nearest(counter, [p.name for p in self.done])
         self.problem(place, f"the counter '{counter}' of '{name}' must be a parameter before it{near}")
@@ -269,10 +263,7 @@ class Layout:
         ]
         self.check_size()
         capacities = self.capacities()
-        self.done = [
-            p if (op := with_capacity(p.operation, capacities)) is p.operation else replace(p, operation=op)
-            for p in self.done
-        ]
+        self.done = [replace(p, most=capacities[p.name]) if p.name in capacities else p for p in self.done]
         parameters = tuple(self.typical(node, p) for node, p in zip(self.nodes, self.done, strict=True))
         if self.functions:
             return self.with_selector(parameters)
@@ -285,28 +276,26 @@ class Layout:
                 self.problem(
                     p.position, f"'{p.name}' is required, but the array that it counts is optional; make both optional"
                 )
-        always = tuple(p.operation for p in parameters[:first])
-        groups = self.groups(parameters[first:], first)
-        return Record(parameters, always + groups, extent.fewest(always), extent.most(p.operation for p in parameters))
+        self.check_groups(parameters[first:])
+        return Record(parameters, extent.fewest(parameters[:first]), extent.most(parameters))
 
     def typical(self, node: Node, p: m.Parameter) -> m.Parameter:
         """The parameter with its typical value, in the form of the codec."""
         meaning.check_shown(node, p, self.problem)
         if "typical" not in node:
             return p
-        given, found = node["typical"], list[tuple[m.Position, str]]()
-        meaning.check_typical(node, p, lambda place, message: found.append((place, message)))
+        given, complaints = node["typical"], list[tuple[m.Position, str]]()
+        meaning.check_typical(node, p, lambda place, message: complaints.append((place, message)))
         try:
-            value = codec.canonical(p.operation, given.plain(), p.name)
+            value = codec.canonical(p, given.plain(), p.name)
         except ValueError as error:
-            for place, message in found or [(given.position, f"the typical value of {error}")]:
+            for place, message in complaints or [(given.position, f"the typical value of {error}")]:
                 self.problem(place, message)
             return p
-        for place, message in found:
+        for place, message in complaints:
             self.problem(place, message)
-        if isinstance(p.operation, (m.ArrayOp, m.TextOp)) and len(value) > p.operation.capacity:
-            most = p.operation.capacity
-            self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {most} fit")
+        if p.several and len(value) > p.capacity:
+            self.problem(given.position, f"the typical value of '{p.name}' has {len(value)} items; {p.capacity} fit")
         return replace(p, typical=value)
 
     def vouch(self, whole: Node) -> None:
@@ -326,9 +315,7 @@ class Layout:
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
         words = self.types.vocabulary
-        u8 = m.SCALARS["u8"]
-        op = m.ScalarOp("function", u8, words.selector, 1)
-        selector = m.Parameter("function", words.selector, None, op, "What to do with the setting.", selector=True)
+        selector = m.Parameter("function", words.selector, None, "What to do with the setting.", selector=True)
         for function in words.letters(self.functions):
             needs = [function in p.required_for for p in parameters]
             if not all(needs[: sum(needs)]):
@@ -338,43 +325,31 @@ class Layout:
                     f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
                     "what a function requires must come first",
                 )
-        whole = extent.most([op, *(p.operation for p in parameters)])
-        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), op.size, whole)
+        self.check_groups(parameters)
+        whole = (selector, *parameters)
+        return Record(whole, selector.size, extent.most(whole))
 
-    def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
-        """Parameters that are present or absent together: one each, but a counter stays with its array."""
-        names = [p.name for p in parameters]
-        found: list[m.Operation] = []
-        i = 0
-        while i < len(parameters):
-            end = i
-            j = i
-            while j <= end:
-                counted = parameters[j].counts
-                if counted in names:
-                    end = max(end, names.index(counted))
-                j += 1
-            members = parameters[i : end + 1]
-            if all(p.constant is not None for p in members):
+    def check_groups(self, parameters: Sequence[m.Parameter]) -> None:
+        """Those that may be absent must have something that tells, and the same for a counter and its array."""
+        for group in m.groups(parameters, 0):
+            first, last = group.parameters[0], group.parameters[-1]
+            if all(p.constant is not None for p in group.parameters):
                 self.problem(
-                    members[0].position,
-                    f"the constant '{members[0].name}' may be absent, and nothing would tell; "
+                    first.position,
+                    f"the constant '{first.name}' may be absent, and nothing would tell; "
                     "put it before every parameter that may be absent",
                 )
-            for p in members:
-                if p.required_for != members[0].required_for or p.optional != members[0].optional:
-                    what = f"all from '{members[0].name}' to '{members[-1].name}'"
+            for p in group.parameters:
+                if p.required_for != first.required_for or p.optional != first.optional:
+                    what = f"all from '{first.name}' to '{last.name}'"
                     self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
                     break
-            found.append(m.GroupOp(before + i + 1, before + end + 1, tuple(p.operation for p in members)))
-            i = end + 1
-        return tuple(found)
 
     def check_size(self) -> None:
         """Points at the parameter with which a field is too long even in its shortest form."""
         used = self.before + (1 if self.functions else 0)
         for p in self.done:
-            used += extent.size(p.operation)[0]
+            used += extent.size(p)[0]
             if isinstance(p.element, m.Struct) and p.element.min_size > m.MAX_FIELD_DATA:
                 return  # said of the structure
             if used > m.MAX_FIELD_DATA:
@@ -385,16 +360,21 @@ class Layout:
 
     def capacities(self) -> dict[str, int]:
         """The maximum number of items of each array of open length, if nothing that may be absent is present."""
-        found = {}
+        capacities = {}
         for i, p in enumerate(self.done):
             if isinstance(p.length, str):
-                op = p.operation
-                assert isinstance(op, (m.ArrayOp, m.TextOp))
                 before, behind = self.done[: i + 1], self.done[i + 1 :]
                 always = [*before, *(q for q in behind if not (self.functions or q.optional))]
-                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.element(op))
+                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, extent.element(p))
                 counter = self.earlier(p.length)
                 if counter is not None and isinstance(counter.element, m.Scalar):
                     most = min(most, (1 << (8 * counter.element.size)) - 1)
-                found[p.name] = most
-        return found
+                capacities[p.name] = most
+        return capacities
+
+
+def open_ended(p: m.Parameter) -> bool:
+    """Does it, or could it, reach to the end of the field?"""
+    if p.struct:
+        return bool(p.struct.parameters) and open_ended(p.struct.parameters[-1])
+    return p.union is not None or p.fills

@@ -132,7 +132,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         family="protocol", occurrences=(m.Occurrence(0, "protocol", node["title"].value, cited),),
         everywhere=m.COMMAND_SETS, name=node["name"].value, descriptor=node["descriptor"].value, role=m.RESPONSE,
         title=node["title"].value, description=node["description"].value, parameters=record.parameters,
-        operations=record.operations, min_size=record.min_size, max_size=record.max_size,
+        min_size=record.min_size, max_size=record.max_size,
         sources=cited, position=node.position,
     )  # fmt: skip
     first, second = root["sync"].plain()

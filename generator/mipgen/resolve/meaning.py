@@ -227,22 +227,17 @@ class _Default:
         value, element = node.value, self.p.element
         match element:
             case m.Vector():
-                if not isinstance(value, list) or len(value) != len(element.elements):
-                    self.wrong(node, f"a list of {len(element.elements)} numbers: {', '.join(element.elements)}")
-                    return
-                for item in node:
-                    self.number(item, element.scalar)
-                self.length(node)
+                self.vector(node, element)
             case m.Enum() if isinstance(value, str):
                 self.named(node, value, element.name, "value", [v.name for v in element.values])
             case m.Bitfield() if isinstance(value, list):
                 for item in node:
                     self.named(item, item.value, element.name, "bit", [b.name for b in element.bits])
-            case m.Enum() | m.Bitfield() if element.scalar is not None:
-                wanted = "the name of a value" if isinstance(element, m.Enum) else "a list of names of bits"
+            case m.Enum(scalar=scalar) | m.Bitfield(scalar=m.Scalar() as scalar):
                 if isinstance(value, int) and not isinstance(value, bool):
-                    self.number(node, element.scalar)
+                    self.number(node, scalar)
                 else:
+                    wanted = "the name of a value" if isinstance(element, m.Enum) else "a list of names of bits"
                     self.wrong(node, f"{wanted} of '{element.name}', or a number")
             case m.Scalar():
                 self.number(node, element)
@@ -253,6 +248,14 @@ class _Default:
                     self.wrong(node, f"{2 * element.size} hexadecimal digits in quotes")
             case _:
                 self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
+
+    def vector(self, node: Node, vector: m.Vector) -> None:
+        if isinstance(node.value, list) and len(node.value) == len(vector.elements):
+            for item in node:
+                self.number(item, vector.scalar)
+            self.length(node)
+        else:
+            self.wrong(node, f"a list of {len(vector.elements)} numbers: {', '.join(vector.elements)}")
 
     def members(self, node: Node, element: m.Struct) -> None:
         if not isinstance(node.value, dict):

@@ -106,7 +106,7 @@ class Families:
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
             title=node["title"].value, description=node["description"].value,
-            parameters=record.parameters, operations=record.operations,
+            parameters=record.parameters,
             min_size=record.min_size, max_size=record.max_size,
             sources=places.cited(node, occurrences),
             functions=functions, everywhere=m.DATA_SETS if kind == "shared" else None,
@@ -170,7 +170,7 @@ class Families:
             descriptor=node["response"].value, role=m.RESPONSE,
             title=title,
             description=node.scalar("description", ""),
-            parameters=record.parameters, operations=record.operations,
+            parameters=record.parameters,
             min_size=record.min_size, max_size=record.max_size,
             sources=cited,
             command=command.name, devices=self.devices(node.get("devices")),

@@ -162,7 +162,7 @@ class _Values:
             return
         try:
             value = simulated.shown(p, q.typical, factor)
-            codec.put(p.operation, value)
+            codec.put(p, value)
         except (ValueError, codec.CodecError) as error:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
 

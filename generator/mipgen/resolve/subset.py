@@ -211,36 +211,24 @@ Key = tuple[str | None, str]
 
 
 def _key(t: m.Type) -> Key:
-    return (None if isinstance(t, m.Vector) else t.owner, t.name)
+    return t.owner, t.name
 
 
 def _types(fields: Iterable[m.Field]) -> set[Key]:
     """The types that fields need, directly or inside others."""
-    found: set[Key] = set()
+    needed: set[Key] = set()
+    waiting = [t for f in fields for p in f.parameters for t in p.types]
+    while waiting:
+        t = waiting.pop()
+        if _key(t) not in needed:
+            needed.add(_key(t))
+            waiting += _inside(t)
+    return needed
 
-    def need(t: m.Type) -> None:
-        if _key(t) in found:
-            return
-        found.add(_key(t))
-        if isinstance(t, m.Struct):
-            for p in t.parameters:
-                visit(p)
-        elif isinstance(t, m.Bitfield):
-            for b in t.bits:
-                if b.enum is not None:
-                    need(b.enum)
 
-    def visit(p: m.Parameter) -> None:
-        if p.element is not None and not isinstance(p.element, m.Scalar):
-            need(p.element)
-        for v in p.variants:
-            if v.type is not None:
-                need(v.type)
-        for c in p.cases:
-            if c.parameter is not None:
-                visit(c.parameter)
-
-    for f in fields:
-        for p in f.parameters:
-            visit(p)
-    return found
+def _inside(t: m.Type) -> Iterator[m.Type]:
+    match t:
+        case m.Struct():
+            yield from (inner for p in t.parameters for inner in p.types)
+        case m.Bitfield():
+            yield from (b.enum for b in t.bits if b.enum is not None)

@@ -111,8 +111,7 @@ class Types:
         if kinds[0] == "struct":
             record = self.record(list(node["struct"]), owner, inside=True)
             return m.Struct(
-                name, record.parameters, tuple(p.operation for p in record.parameters),
-                record.min_size, record.max_size, *origin, short=short, position=node.position,
+                name, record.parameters, record.min_size, record.max_size, *origin, short=short, position=node.position,
             )  # fmt: skip
         base = m.SCALARS[node["bitfield"].value] if "bitfield" in node else None
         size = base.size if base else node["bytes"].value

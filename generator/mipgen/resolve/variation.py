@@ -163,7 +163,7 @@ def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | 
     ):
         scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{found.name}' cannot name its values")
         return None
-    own, width = size(p.operation)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
+    own, width = size(p)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
     if own != width:
         scope.problem(entry.position, f"'{found.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
         return None

@@ -27,8 +27,8 @@ def variants(f: m.Field) -> Iterator[bytes]:
         for data in (bytearray(f.max_size), bytearray(i % 7 + 1 for i in range(f.max_size))):
             if function is not None:
                 data[0] = function
-            for at, op in f.constants:
-                data[at : at + op.size] = op.value.to_bytes(op.size, "big")
+            for at, constant in f.signature:
+                data[at : at + len(constant)] = constant
             yield bytes(data)
             yield bytes(data[: f.min_size])
 

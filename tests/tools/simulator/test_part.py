@@ -79,7 +79,8 @@ for name in devices.DEVICES:
     package = path(SPECS["invented"][1] / "python")
     done = subprocess.run([sys.executable, "-c", code], env=package, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    forms = {type(op) for f in model("invented").fields if f.full_name in done.stdout.split() for op in f.operations}
+    names = done.stdout.split()
+    forms = {p.kind for f in model("invented").fields if f.full_name in names for p in f.parameters}
     assert len(forms) > 3, forms
 
 

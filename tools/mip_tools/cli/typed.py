@@ -172,33 +172,45 @@ def _scalar(p: Parameter, text: str) -> Any:
     if kind is not None and issubclass(kind, IntFlag):
         return _flags(p, kind, text)
     if kind is not None and issubclass(kind, IntEnum):
-        names = {name.lower(): member for name, member in kind.__members__.items()}
-        if text.lower() in names:
-            return names[text.lower()]
-        if (number := _integer(text)) is not None:
-            return kind(number)
-        raise Misuse(f"{p.name}: '{text}' is not one of {', '.join(names)}")
+        return _named_value(p, kind, text)
     if p.scalar == "bool":
-        said = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
-        if text.lower() in said:
-            return said[text.lower()]
-        if (number := _integer(text)) is not None:
-            return number if number not in (0, 1) else bool(number)
-        raise Misuse(f"{p.name}: '{text}' is neither true nor false")
+        return _truth(p, text)
     if p.scalar in _INTEGERS or p.kind == "bits":
-        number = _integer(text)
-        if number is None and p.scalar == "u8":
-            number = _named_number(text)
-            if number is None and (close := near(text)):
-                hint = f"neither a number nor a field; did you mean {close}?"
-                raise Misuse(f"{p.name}: '{text}' is {hint}")
-        if number is None:
-            raise Misuse(f"{p.name}: '{text}' is not a whole number")
-        return number
+        return _whole(p, text)
     try:
         return float(text)
     except ValueError:
         raise Misuse(f"{p.name}: '{text}' is not a number") from None
+
+
+def _named_value(p: Parameter, kind: type[IntEnum], text: str) -> IntEnum:
+    names = {name.lower(): member for name, member in kind.__members__.items()}
+    if text.lower() in names:
+        return names[text.lower()]
+    if (number := _integer(text)) is not None:
+        return kind(number)
+    raise Misuse(f"{p.name}: '{text}' is not one of {', '.join(names)}")
+
+
+def _truth(p: Parameter, text: str) -> bool | int:
+    words = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
+    if text.lower() in words:
+        return words[text.lower()]
+    if (number := _integer(text)) is not None:
+        return number if number not in (0, 1) else bool(number)
+    raise Misuse(f"{p.name}: '{text}' is neither true nor false")
+
+
+def _whole(p: Parameter, text: str) -> int:
+    """A number; of a byte, also the name of a set or a field."""
+    number = _integer(text)
+    if number is None and p.scalar == "u8":
+        number = _named_number(text)
+        if number is None and (close := near(text)):
+            raise Misuse(f"{p.name}: '{text}' is neither a number nor a field; did you mean {close}?")
+    if number is None:
+        raise Misuse(f"{p.name}: '{text}' is not a whole number")
+    return number
 
 
 def _integer(text: str) -> int | None:

@@ -130,12 +130,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
         # records
         "members": memory.members,
-        "alternatives": memory.alternatives,
         "takes_enum": members.takes_enum,
         "declaration": members.declaration,
         "home": members.home,
         "in_order": in_order,
-        "optional": lambda record: isinstance(record, m.Field) and record.optional,
         "last_present": members.last_present,
         "constructors": members.constructors,
         "silent": members.silent,

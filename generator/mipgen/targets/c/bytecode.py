@@ -5,12 +5,11 @@ How many bytes a part of a program has is known here; the place of a member in m
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from mipgen import model as m
 from mipgen.lower import extent, memory
-from mipgen.lower.presence import groups
 
 from .direct import direct
 from .literals import hexadecimal
@@ -81,19 +80,20 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
     far = _is_far(f)
     if far:
         steps.append(Step("MIP_FAR", (), 1))
-    operations = f.operations
+    base = f"struct {record_name(f)}"
     if f.optional:
         steps.append(_optional(f))
-        operations = operations[len(f.functions) and 1 :]  # the function selector is part of this step
-    steps += _steps(operations, f"struct {record_name(f)}", "")
+    steps += _steps((p for p in f.always if not (f.optional and p.selector)), base)  # the selector is part of that step
+    for group in f.groups:
+        steps += [_group(len(group.parameters)), *_steps(group.parameters, base)]
     return _source(steps, far)[0]
 
 
 def numbers(f: m.Field, layouts: Sequence[m.Field]) -> int:
     """The bytes of a layout that is nothing but a few numbers, without texts, which end with a NUL; 0 for another."""
-    steps = _joined([*_steps(f.operations, "", "")])
+    steps = _joined([*_steps(f.parameters, "")])
     plain = all(isinstance(s, Numbers) and s.count <= _FEW for s in steps)
-    plain = plain and not _is_far(f) and len(layouts) == 1
+    plain = plain and not (f.groups or _is_far(f)) and len(layouts) == 1
     return f.max_size if plain and not any(a.text for a in direct(f)) else 0
 
 
@@ -103,7 +103,7 @@ def _is_far(f: m.Field) -> bool:
 
 
 def _layout(f: m.Field, sizes: range) -> Step:
-    told = [(at + i, byte) for at, op in f.constants for i, byte in enumerate(op.value.to_bytes(op.size, "big"))]
+    told = [(at + i, byte) for at, constant in f.signature for i, byte in enumerate(constant)]
     bytes_ = [f"{at}, {hexadecimal(byte)}" for at, byte in told]
     if not told:
         return Step("MIP_SIZES", (sizes.start, sizes.stop - 1), 4)
@@ -112,7 +112,7 @@ def _layout(f: m.Field, sizes: range) -> Step:
 
 def _optional(f: m.Field) -> Step:
     if not f.functions:
-        before = groups(f)[0].first - 1
+        before = f.groups[0].first - 1
         return Step("MIP_OPTIONAL", (before,), 3)
     table = required(f)[1:]
     while table[-1:] == [0] and len(table) > 1:  # what an unknown function requires, too
@@ -149,65 +149,57 @@ def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Par
     return found
 
 
-def _steps(ops: Sequence[m.Operation], base: str, record: str) -> Iterator[Step | Numbers | Part]:
-    """`base`: the structure where places begin; `record`: what leads from there to the record of the operations."""
-    for op in ops:
-        yield from _step(op, base, record, record)
+def _steps(parameters: Iterable[m.Parameter], base: str, record: str = "") -> Iterator[Step | Numbers | Part]:
+    """`base`: the structure where places begin; `record`: what leads from there to the record of the parameters."""
+    for p in parameters:
+        yield from _step(p, base, record, record)
 
 
-def _step(op: m.Operation, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
+def _step(p: m.Parameter, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
     """`of`: what comes before the member; it differs from `record` in a union."""
-    match op:
-        case m.GroupOp():
-            count = op.last - op.first + 1
-            yield Step("MIP_GROUP", (count,), 1) if count <= _GROUP else Step("MIP_LARGE_GROUP", (count,), 2)
-            yield from _steps(op.body, base, record)
-        case m.ScalarOp() | m.CounterOp():
-            yield _numbers(op.scalar, 1, (base, of + member(op.member)))
-        case m.ConstantOp():
-            yield Step("MIP_CONSTANT", (op.size, *map(hexadecimal, op.value.to_bytes(op.size, "big"))), 2 + op.size)
-        case m.BitsOp():
-            yield replace(_numbers(m.SCALARS["u8"], op.size, (base, of + member(op.member))), joins=False)
-        case m.StructOp():
-            inside = [*_steps(op.struct.operations, base, f"{of}{member(op.member)}.")]
-            yield from (replace(s, joins=False) if isinstance(s, Numbers) and s is inside[-1] else s for s in inside)
-        case m.TextOp() | m.ArrayOp():
-            yield from _items(op, base, record, of)
-        case m.SwitchOp():
-            yield from _switch(op, base, record, of)
+    name = of + member(p.name)
+    if p.kind == "constant":
+        yield Step("MIP_CONSTANT", (p.size, *map(hexadecimal, p.octets)), 2 + p.size)
+    elif p.struct:
+        inside = [*_steps(p.struct.parameters, base, f"{name}.")]
+        yield from (replace(s, joins=False) if isinstance(s, Numbers) and s is inside[-1] else s for s in inside)
+    elif p.union:
+        yield from _switch(p.union, (base, record + member(p.union.tag)), base, record, f"{name}.")
+    elif p.several:
+        yield from _items(p, base, record, name)
+    else:
+        yield _numbers(p, p.size if p.kind == "bits" else 1, (base, name), joins=p.kind != "bits")
 
 
-def _numbers(scalar: m.Scalar, count: int, place: tuple[str, str]) -> Numbers:
-    return Numbers("MIP_DOUBLES" if scalar.name == "double" else f"MIP_{8 * scalar.size}_BITS", count, place, True)
+def _group(count: int) -> Step:
+    return Step("MIP_GROUP", (count,), 1) if count <= _GROUP else Step("MIP_LARGE_GROUP", (count,), 2)
 
 
-def _items(op: m.TextOp | m.ArrayOp, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
+def _numbers(p: m.Parameter, count: int, place: tuple[str, str], joins: bool) -> Numbers:
+    macro = "MIP_DOUBLES" if p.scalar.name == "double" else f"MIP_{8 * p.scalar.size}_BITS"
+    return Numbers(macro, count, place, joins)
+
+
+def _items(p: m.Parameter, base: str, record: str, name: str) -> Iterator[Step | Numbers | Part]:
     """The elements of an array, or the characters of a text, which is followed by a NUL."""
-    place = (base, of + member(op.member))
-    wire = extent.element(op)
-    if op.counter is not None:
-        counter = (base, record + member(op.counter))
-        yield Step("MIP_COUNTED", (f"MIP_SIZE({', '.join(counter)})", op.capacity, wire), 4, counter)
-    elif op.count is None:
-        yield Step("MIP_REST", (op.capacity, wire), 4, (base, f"{of}{member(op.member)}_count"))
-    fixed, item = op.count or 1, m.ScalarOp("", m.SCALARS["u8"], None, 1) if isinstance(op, m.TextOp) else op.item
-    if isinstance(item, m.StructOp):
-        name = f"struct {type_name(item.struct)}"
-        each = Step("MIP_EACH", (fixed, name, LENGTH), 5, place)
-        yield Part(each, (*_steps(item.struct.operations, name, ""),))
-        return
-    while isinstance(item, m.ArrayOp):
-        fixed, item = fixed * (item.count or 1), item.item
-    assert isinstance(item, m.ScalarOp)
-    yield replace(_numbers(item.scalar, fixed, place), joins=isinstance(op, m.ArrayOp) and op.count is not None)
+    wire, item, fixed = extent.element(p), p.item, p.count or 1
+    if p.counter is not None:
+        counter = (base, record + member(p.counter))
+        yield Step("MIP_COUNTED", (f"MIP_SIZE({', '.join(counter)})", p.capacity, wire), 4, counter)
+    elif p.fills:
+        yield Step("MIP_REST", (p.capacity, wire), 4, (base, f"{name}_count"))
+    if item.struct:
+        of = f"struct {type_name(item.struct)}"
+        yield Part(Step("MIP_EACH", (fixed, of, LENGTH), 5, (base, name)), (*_steps(item.struct.parameters, of),))
+    else:
+        count = fixed * (item.count or 1)
+        yield _numbers(p.leaf, count, (base, name), joins=p.kind == "array" and not p.open)
 
 
-def _switch(op: m.SwitchOp, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
-    cases = [c for c in op.cases if c.operation is not None]
-    size = op.tag_type.scalar.size
-    yield Step("MIP_SWITCH", (size, len(cases)), 3, (base, record + member(op.tag)))
-    for c in cases:
-        assert c.operation is not None and c.parameter is not None
-        steps = _step(c.operation, base, record, f"{of}{member(op.member)}.{home(c.parameter)}")
-        value = map(hexadecimal, c.tag.value.to_bytes(size, "big"))
-        yield Part(Step("MIP_CASE", (LENGTH, *value), size + 1), (*steps,))
+def _switch(union: m.Union, tag: tuple[str, str], base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
+    cases = [(c.tag.value, c.parameter) for c in union.cases if c.parameter is not None]
+    size = union.type.scalar.size
+    yield Step("MIP_SWITCH", (size, len(cases)), 3, tag)
+    for value, p in cases:
+        step = Step("MIP_CASE", (LENGTH, *map(hexadecimal, value.to_bytes(size, "big"))), size + 1)
+        yield Part(step, (*_step(p, base, record, of + home(p)),))

@@ -116,7 +116,7 @@ def _call(
 def _passed(p: m.Parameter) -> list[str]:
     """The names of the arguments for a parameter."""
     name = argument_name(p.name)
-    return [f"{name}_count", name] if p.length == "rest" else [name]
+    return [f"{name}_count", name] if p.fills else [name]
 
 
 def _literal(p: m.Parameter, value: int) -> str:

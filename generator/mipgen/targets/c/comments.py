@@ -13,7 +13,6 @@ from mipgen.lower.memory import members
 from . import names
 from .literals import hexadecimal
 from .members import last_present
-from .names import Record
 
 #: Where clang-format breaks lines, too; it only moves comments.
 WIDTH = 100
@@ -133,7 +132,7 @@ class Comments:
         texts = [*self._prose(t.description), *_in_full(t)]
         return [*_paragraphs(texts, describe.type(t, self.model)), *more, *_cited(t)]
 
-    def member(self, p: m.Parameter, record: Record) -> list[str]:
+    def member(self, p: m.Parameter, record: m.Record) -> list[str]:
         empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
         text = [*self._prose(p.description), *_values(p)]
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
@@ -143,7 +142,7 @@ class Comments:
         items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in given]
         return ["\n".join(items)] if items else []
 
-    def case(self, c: m.Case, union: m.Parameter, record: Record) -> list[str]:
+    def case(self, c: m.Case, union: m.Parameter, record: m.Record) -> list[str]:
         """Of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None
         text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
@@ -165,7 +164,7 @@ class Comments:
         """A text of the specification, if there is one."""
         return [describe.say(describe.prose(text, self.model), reference)] if text else []
 
-    def _without_member(self, record: Record) -> list[str]:
+    def _without_member(self, record: m.Record) -> list[str]:
         """Parameters that only the wire has."""
         left = [p for p in record.parameters if p not in members(record)]
         items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]

@@ -45,8 +45,8 @@ def direct(f: m.Field) -> list[Access]:
 
 
 def _access(r: Run) -> Access:
-    path = _path(r.path) + (".bytes" if r.op.kind == "bits" else "")
-    return Access(path, r.offset, r.scalar.name, r.scalar.size, r.count or 0, text=r.op.kind == "text")
+    path = _path(r.path) + (".bytes" if r.parameter.kind == "bits" else "")
+    return Access(path, r.offset, r.scalar.name, r.scalar.size, r.count or 0, text=r.parameter.kind == "text")
 
 
 def _path(parts: Path) -> str:

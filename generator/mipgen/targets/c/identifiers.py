@@ -6,14 +6,13 @@ from collections.abc import Iterator
 
 from mipgen import model as m
 from mipgen.emit.naming import Identifier
-from mipgen.lower.memory import alternatives, members
+from mipgen.lower.memory import members
 
 from . import calls, tables
 from .direct import direct
 from .members import constructors, has_accessor, last_present
 from .names import (  # fmt: skip
     LANGUAGE,
-    Record,
     accessor,
     constant,
     field_name,
@@ -81,13 +80,13 @@ def of_field(f: m.Field) -> Iterator[Identifier]:
     yield from _members(f)
 
 
-def _members(record: Record) -> Iterator[Identifier]:
+def _members(record: m.Record) -> Iterator[Identifier]:
     scope = f"struct {record_name(record)}"
     for p in members(record):
         yield Identifier(scope, member(p.name), p.name, p.position)
-        if p.length == "rest":
+        if p.fills:
             yield Identifier(scope, f"{member(p.name)}_count", p.name, p.position)
         if p.element is None:
             yield Identifier("C", union_name(p, record), p.name, p.position)
-            for a in alternatives(p):
+            for a in p.alternatives:
                 yield Identifier(f"union {union_name(p, record)}", member(a.name), a.name, p.position)

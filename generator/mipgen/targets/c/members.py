@@ -5,37 +5,34 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import calls, presence
+from mipgen.lower import calls
 from mipgen.lower.memory import members
 
-from .names import Record, argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
+from .names import argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
 
 
-def declaration(p: m.Parameter, record: Record) -> str:
+def declaration(p: m.Parameter, record: m.Record) -> str:
     """A member: `float bias[3]`."""
     if p.element is None:
         return f"union {union_name(p, record)} {member(p.name)}"
-    return f"{c_type(p.element)} {member(p.name)}{_dimensions(p.operation)}"
+    return f"{c_type(p.element)} {member(p.name)}{_dimensions(p)}"
 
 
-def _dimensions(op: m.Operation) -> str:
+def _dimensions(p: m.Parameter) -> str:
     """The brackets after a member's name."""
-    if isinstance(op, m.TextOp):
-        return f"[{op.capacity + 1}]"
-    if isinstance(op, m.ArrayOp):
-        return f"[{max(1, op.capacity)}]{_dimensions(op.item)}"
-    return ""
+    if p.kind == "text":
+        return f"[{p.capacity + 1}]"
+    return f"[{max(1, p.capacity)}]{_dimensions(p.item)}" if p.several else ""
 
 
 def home(alternative: m.Parameter) -> str:
     """The prefix of the name of an alternative: one that fills the field shares a structure with its count."""
-    return f"{member(alternative.name)}." if alternative.length == "rest" else ""
+    return f"{member(alternative.name)}." if alternative.fills else ""
 
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
     """The optional parameters, each with the value of `present` when it is the last one that is there."""
-    numbers = presence.last(f)
-    return [(p, numbers[p.name]) for p in members(f) if p.optional and not p.counts]
+    return [(p, f.present_with[p.name]) for p in members(f) if p.optional and not p.counts]
 
 
 # --------------------------------------------------------------------------- constructors
@@ -59,7 +56,7 @@ def constructors(f: m.Field) -> list[Constructor]:
     return [_constructor(f, way) for way in calls.constructors(f)]
 
 
-def _constructor(f: m.Field, way: calls.Constructor) -> Constructor:
+def _constructor(f: m.Field, way: m.Call) -> Constructor:
     asked = tuple(p for p in members(f) if p in way.given)
     return Constructor(
         name=way.function.name if way.function else "make",
@@ -73,16 +70,16 @@ def _constructor(f: m.Field, way: calls.Constructor) -> Constructor:
 
 def argument(p: m.Parameter, f: m.Field) -> str:
     """What a function takes for a parameter: one argument, or a count and the elements."""
-    name, op = argument_name(p.name), p.operation
+    name = argument_name(p.name)
     if p.element is None:
         return f"const union {union_name(p, f)} *{name}"
     one = c_type(p.element)
-    count = f"uint8_t {name}_count, " if p.length == "rest" else ""
-    if isinstance(op, m.TextOp):
+    count = f"uint8_t {name}_count, " if p.fills else ""
+    if p.kind == "text":
         return f"{count}const char *{name}"
-    if isinstance(op, m.ArrayOp):
-        first = "" if op.count is None else op.count
-        return f"{count}const {one} {name}[{first}]{_dimensions(op.item)}"
+    if p.kind == "array":
+        first = "" if p.count is None else p.count
+        return f"{count}const {one} {name}[{first}]{_dimensions(p.item)}"
     if takes_enum(p):
         assert isinstance(p.element, m.Enum)
         return f"enum {type_name(p.element)} {name}"

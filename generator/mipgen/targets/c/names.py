@@ -13,8 +13,6 @@ _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 #: Identifiers of C99 that differ only after their first 63 characters may be the same.
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS, longest=63)
 
-Record = m.Field | m.Struct
-
 member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
 module = Escape(frozenset(LANGUAGE["modules"]), digit_prefix="")
 macro = upper
@@ -46,11 +44,11 @@ def set_constant(s: m.Set) -> str:
     return f"{macro(f'mip_{s.name}')}_SET"
 
 
-def record_name(record: Record) -> str:
+def record_name(record: m.Record) -> str:
     return field_name(record) if isinstance(record, m.Field) else type_name(record)
 
 
-def union_name(p: m.Parameter, record: Record) -> str:
+def union_name(p: m.Parameter, record: m.Record) -> str:
     return f"{record_name(record)}_{p.name}"
 
 

@@ -125,7 +125,7 @@ def _type(p: m.Parameter) -> str:
 
 def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
     """The number of elements of what fills the field."""
-    return [str(len(items))] if p.length == "rest" else []
+    return [str(len(items))] if p.fills else []
 
 
 def _record(values: dict[str, Literal]) -> Brackets:

@@ -7,18 +7,16 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.emit.naming import upper
-from mipgen.lower import presence
 from mipgen.lower.memory import members
 
 from . import literals
 from .members import home
-from .names import Record, bare, field_name, member, record_name, union_name
+from .names import bare, field_name, member, record_name, union_name
 
 
 def required(f: m.Field) -> list[int]:
     """How many parameters each function requires, by its value."""
-    found = presence.required(f)
-    return [found.get(value, 0) for value in range(max(found) + 1)]
+    return [f.required(value) for value in range(max(x.value for x in f.functions) + 1)]
 
 
 # --------------------------------------------------------------------------- registry
@@ -87,13 +85,13 @@ def numbers(t: m.Enum) -> str:
     return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
 
 
-def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
+def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> str:
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
-    e, op, item, full = p.element, p.operation, p.operation.leaf, bare(record)
+    item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
-    scalar = upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8"
-    length = {int: "FIXED", str: "REST" if p.length == "rest" else "COUNTED"}.get(type(p.length), "ONE")
+    scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
+    length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
     readings = () if union else p.readings
     row = [
         literals.string(p.name),
@@ -101,29 +99,29 @@ def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
         f"MIP_SCALAR_{scalar}",
         f"MIP_LENGTH_{length}",
-        str(op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) and p.length is not None else 1),
-        str(len(e.elements) if isinstance(e, m.Vector) else 1),
+        str(p.capacity if p.length is not None else 1),
+        str(len(p.elements) or 1),
         str(numbers.get(by or "", 0)),
-        str(0 if union else presence.last(record).get(p.name, 0)),
-        literals.number(p.constant or 0, item.scalar.size if isinstance(item, m.ConstantOp) else 1),
+        str(0 if union else record.present_with.get(p.name, 0)),
+        literals.number(p.constant or 0, p.size if p.kind == "constant" else 1),
         *_place(p, record, union),
-        f"&{names(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
+        f"&{names(item.named)}" if item.named else "NULL",
         f"readings_{full}_{p.name}" if readings else "NULL",
-        f"&record_{bare(e)}" if isinstance(e, m.Struct) else "NULL",
+        f"&record_{bare(item.struct)}" if item.struct else "NULL",
         f"cases_{full}_{p.name}" if p.cases else "NULL",
         str(len(readings or p.cases)),
     ]
     return ", ".join(row)
 
 
-def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[str, str]:
+def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, str]:
     """Where the member and the number of its items are."""
     if not union and p not in members(record):
         return "0, 0", "0"
     within = f"union {union_name(union, record)}" if union else f"struct {record_name(record)}"
     name = (home(p) if union else "") + member(p.name)
     size = "ONE" if p.length is None else "MANY"
-    return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.length == "rest" else "0"
+    return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.fills else "0"
 
 
 def reflection(f: m.Field) -> str:
@@ -141,7 +139,7 @@ def reflection(f: m.Field) -> str:
     return ", ".join(row)
 
 
-def readings(p: m.Parameter, record: Record) -> Iterator[str]:
+def readings(p: m.Parameter, record: m.Record) -> Iterator[str]:
     """The members of struct mip_reading: device, or index and value of the parameter that decides; and the names."""
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     for v in p.readings:

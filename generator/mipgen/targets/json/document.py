@@ -23,7 +23,7 @@ FORMAT = "1.0"
 
 #: Attributes that are not written: positions in the sources, and what is written in another place or form.
 LEFT_OUT: dict[type, tuple[str, ...]] = {
-    m.Parameter: ("element", "operation", "cases", "typical"),  # typical values are with the calls of fields
+    m.Parameter: ("element", "typical", "most"),  # typical values are with the calls of fields
     Quantity: ("typical",),
     m.Field: ("family", "occurrences", "everywhere", "functions"),
     m.Struct: ("owner",),
@@ -36,6 +36,9 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Variant: ("only",),
     guides.Shown: ("data",),  # in the packet
 }
+
+#: Attributes that are written under another name: of a union, its tag and its cases.
+RENAMED = {"union": "tag"}
 
 
 def text(model: m.Model) -> str:
@@ -121,6 +124,8 @@ def plain(value: Any) -> Any:
             return type_name(value)
         case m.Function() | m.Set():
             return value.name
+        case m.Union():
+            return value.tag
         case m.Device():
             return value.id
         case m.Support():
@@ -131,18 +136,18 @@ def plain(value: Any) -> Any:
             return value.hex()
         case dict():
             return {key: plain(v) for key, v in value.items()}
-    if isinstance(value, m.Operation):
-        return operation(value)
     return _attributes(value) if dataclasses.is_dataclass(value) else value
 
 
 def _attributes(thing: Any) -> dict[str, Any]:
     """The attributes of an object of the model, and what is added to them."""
     found = {
-        name: plain(v)
+        RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
         if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
     }
+    if isinstance(thing, (m.Field, m.Struct)):
+        found = _behind(found, "parameters", "operations", operations(thing))
     match thing:
         case m.Parameter():
             return _parameter(thing, found)
@@ -166,6 +171,13 @@ def _written(kind: type) -> list[tuple[str, Any]]:
         left_out = ("position", *LEFT_OUT.get(kind, ()))
         _WRITTEN[kind] = [(f.name, f.default) for f in dataclasses.fields(kind) if f.name not in left_out]
     return _WRITTEN[kind]
+
+
+def _behind(found: dict[str, Any], place: str, name: str, value: Any) -> dict[str, Any]:
+    """The attributes with one more, behind another."""
+    at = [*found].index(place) + 1
+    items = [*found.items()]
+    return dict([*items[:at], (name, value), *items[at:]])
 
 
 def _said(value: Any, default: Any) -> bool:
@@ -193,8 +205,10 @@ def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
         found["responses"] = [f"{f.family}.{name}" for name in f.responses]
     if f.command:
         found["command"] = f"{f.family}.{f.command}"
-    if f.constants:
-        found["constants"] = [{"offset": at, "size": op.size, "value": op.value} for at, op in f.constants]
+    if f.signature:
+        found["constants"] = [
+            {"offset": at, "size": len(octets), "value": int.from_bytes(octets, "big")} for at, octets in f.signature
+        ]
     return found
 
 
@@ -237,17 +251,39 @@ def _names(things: Iterable[m.Parameter | m.Function]) -> list[str]:
 # --------------------------------------------------------------------------- operations
 
 
-def operation(op: m.Operation) -> dict[str, Any]:
-    """The size of a number is that of its scalar."""
-    found: dict[str, Any] = {"kind": op.kind}
-    for name, default in _written(type(op)):
-        value = getattr(op, name)
-        if name not in ("kind", "cases") and not (name == "size" and hasattr(op, "scalar")) and _said(value, default):
-            found[name] = plain(value)
-    if isinstance(op, m.SwitchOp):
-        found["cases"] = [_case(c) for c in op.cases]
+#: Kind of a parameter -> what its operation has: name in the document -> attribute of the parameter.
+_OPERATIONS: dict[m.Shape, dict[str, str]] = {
+    "scalar": {"scalar": "scalar", "type": "named"},
+    "constant": {"scalar": "scalar", "value": "constant"},
+    "counter": {"scalar": "scalar", "array": "counts"},
+    "bits": {"type": "named", "size": "size"},
+    "text": {"count": "count", "counter": "counter", "capacity": "capacity"},
+    "array": {"item": "item", "count": "count", "counter": "counter", "capacity": "capacity", "vector": "vector"},
+    "struct": {"struct": "struct"},
+    "switch": {"tag": "tag"},
+}
+
+
+def operations(record: m.Field | m.Struct) -> list[dict[str, Any]]:
+    """The steps of a codec: the parameters as it reads and writes them, without what they mean."""
+    groups = [
+        {"kind": "group", "first": g.first, "last": g.last, "body": [*map(_operation, g.parameters)]}
+        for g in record.groups
+    ]
+    return [*map(_operation, record.always), *groups]
+
+
+def _operation(p: m.Parameter) -> dict[str, Any]:
+    found: dict[str, Any] = {"kind": p.kind, "member": p.name}
+    for name, attribute in _OPERATIONS[p.kind].items():
+        value = getattr(p, attribute)
+        if value is not None:
+            found[name] = _operation(value) if name == "item" else plain(value)
+    if p.union:
+        found["tag_type"] = plain(p.union.type)
+        found["cases"] = [_case(c) for c in p.cases]
     return found
 
 
 def _case(c: m.Case) -> dict[str, Any]:
-    return {"value": c.tag.value, **({"operation": operation(c.operation)} if c.operation else {})}
+    return {"value": c.tag.value, **({"operation": _operation(c.parameter)} if c.parameter else {})}

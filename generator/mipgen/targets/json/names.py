@@ -12,7 +12,7 @@ from mipgen.targets.rust import api as rust
 
 def type_name(t: m.Scalar | m.Type) -> str:
     """The name of a type, after the set that owns it."""
-    owner = None if isinstance(t, (m.Scalar, m.Vector)) else t.owner
+    owner = getattr(t, "owner", None)  # no set owns numbers
     return f"{owner}.{t.name}" if owner else t.name
 
 

@@ -11,7 +11,6 @@ from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
-from mipgen.lower import presence
 
 from . import expressions, names
 from .names import member, type_name, value
@@ -35,8 +34,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "type": type_name,
         "scalar": names.SCALARS.__getitem__,
         "home": home,
-        "cases": lambda op: names.cases(member(op.member)),
-        "unions": unions,
+        "cases": lambda p: names.cases(member(p.name)),
         "presence": expressions.present,
         "count": expressions.count,
         "peeks": expressions.peeks,
@@ -96,7 +94,7 @@ def enums(model: m.Model) -> list[m.Enum]:
 def readings(model: m.Model) -> dict[str, list[str]]:
     """The parameters whose values have other names on each device, or by the value of another parameter."""
     found: dict[str, list[str]] = {"device": [], "parameter": []}
-    holders: list[expressions.Record] = [t for t in model.all_types if isinstance(t, m.Struct)]
+    holders: list[m.Record] = [*m.structs(model.all_types)]
     for record in (*holders, *records(model)):
         for p in record.parameters:
             named = [v for v in p.variants if v.type is not None or v.unknown]
@@ -106,10 +104,6 @@ def readings(model: m.Model) -> dict[str, list[str]]:
             if any(not v.by_device for v in named):
                 found["parameter"].append(where)
     return found
-
-
-def unions(record: expressions.Record) -> list[m.SwitchOp]:
-    return [op for op in presence.single(record.operations) if isinstance(op, m.SwitchOp)]
 
 
 # --------------------------------------------------------------------------- texts
@@ -147,9 +141,9 @@ def _named(ref: describe.Ref) -> str:
             return ref.words
 
 
-def about(name: str, record: expressions.Record, model: m.Model) -> str:
+def about(name: str, record: m.Record, model: m.Model) -> str:
     """The documentation of a parameter, or of one in a union; empty if there is none."""
-    everything = [q for p in record.parameters for q in (p, *(c.parameter for c in p.cases)) if q is not None]
+    everything = [q for p in record.parameters for q in (p, *p.alternatives)]
     p = next(q for q in everything if q.name == name)
     facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []
     parts = [say(describe.prose(p.description, model)) if p.description else "", *(say(f.sentence) for f in facts)]
@@ -169,9 +163,8 @@ Named = tuple[str, str, str, m.Position | None]
 
 def _names(model: m.Model) -> Iterator[Named]:
     for t in (model.protocol.function_selector, *model.all_types):
-        place = None if isinstance(t, m.Vector) else t.position
-        yield "mip", type_name(t), t.name, place
-        yield from _members(t, place)
+        yield "mip", type_name(t), t.name, t.position
+        yield from _members(t, t.position)
     for number, name, fields in kinds(model):
         yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
         if len(fields) > 1:
@@ -197,16 +190,18 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
             for e in t.elements:
                 yield scope, member(e), e, place
         case _:
-            for p in t.parameters:
-                yield scope, member(p.name), p.name, p.position or place
-                for c in p.cases:
-                    if c.parameter is not None:
-                        within = f"the type {names.cases(member(p.name))} of {type_name(t)}"
-                        yield within, member(c.parameter.name), c.parameter.name, c.parameter.position
-            for peek in expressions.peeks(t):
-                yield scope, peek.name, f"{peek.op.member}, read ahead", place
-            for rest in expressions.rests(t):
-                yield scope, rest.name, f"the number of {rest.array}", place
+            yield from _attributes(t, scope, place)
+
+
+def _attributes(record: m.Record, scope: str, place: m.Position | None) -> Iterator[Named]:
+    for p in record.parameters:
+        yield scope, member(p.name), p.name, p.position or place
+        within = f"the type {names.cases(member(p.name))} of {type_name(record)}"
+        yield from ((within, member(q.name), q.name, q.position) for q in p.alternatives)
+    for peek in expressions.peeks(record):
+        yield scope, peek.name, f"{peek.tag.name}, read ahead", place
+    for rest in expressions.rests(record):
+        yield scope, rest.name, f"the number of {rest.array}", place
 
 
 TARGET = Target(

@@ -6,17 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import extent, presence
+from mipgen.lower import extent
 from mipgen.lower.extent import Extent
 
 from .names import member, type_name, value
 
-Record = m.Field | m.Struct
 
-
-def least(operations: Iterable[m.Operation]) -> Extent:
+def least(parameters: Iterable[m.Parameter]) -> Extent:
     """The bytes that must be there, once counters are known."""
-    return extent.shortest(operations).counted
+    return extent.shortest(parameters).counted
 
 
 def bytes_of(e: Extent) -> str:
@@ -35,13 +33,11 @@ def _path(words: str) -> str:
 # --------------------------------------------------------------------------- counts
 
 
-def count(op: m.CounterOp, record: Record) -> str:
+def count(p: m.Parameter, record: m.Record) -> str:
     """What a count must obey: the elements fit into the rest of the data, and into a field."""
-    after = presence.single(record.operations)
-    after = after[after.index(op) + 1 :]
-    at = next(i for i, x in enumerate(after) if x.member == op.array)
+    after = record.parameters[record.parameters.index(p) + 1 :]
+    at = next(i for i, q in enumerate(after) if q.name == p.counts)
     array, before = after[at], least(after[:at])
-    assert isinstance(array, (m.ArrayOp, m.TextOp))
     each, between = extent.element(array), bytes_of(before)
     needed = f"_ * {each}" if each > 1 else "_"
     if before == Extent():
@@ -61,11 +57,11 @@ class Rest:
     each: int
 
 
-def rests(record: Record) -> list[Rest]:
+def rests(record: m.Record) -> list[Rest]:
     return [
-        Rest(f"{member(op.member)}_count", op.member, extent.element(op))
-        for op in presence.single(record.operations)
-        if isinstance(op, m.ArrayOp) and op.count is None and op.counter is None
+        Rest(f"{member(p.name)}_count", p.name, extent.element(p))
+        for p in record.parameters
+        if p.kind == "array" and p.fills
     ]
 
 
@@ -78,7 +74,7 @@ class Peek:
 
     name: str
     place: Extent
-    op: m.ScalarOp
+    tag: m.Parameter
 
     @property
     def at(self) -> str:
@@ -86,79 +82,78 @@ class Peek:
 
     @property
     def end(self) -> str:
-        return bytes_of(self.place + least([self.op]))
+        return bytes_of(self.place + least([self.tag]))
 
 
-def present(op: m.GroupOp, f: m.Field) -> str:
+def present(group: m.Group, f: m.Field) -> str:
     """When the parameters of a group are there; empty if always."""
-    required = [c.function for c in f.calls if len(c.required) >= op.last]
+    required = [c.function for c in f.calls if len(c.required) >= group.last]
     if required == [None]:
         return ""
     functions = [f"{member('function')} == function_selector::{value(x.name)}" for x in required if x is not None]
-    room = " and ".join(_room(op, f, []))
+    room = " and ".join(_room(group, f, []))
     return " or ".join([*functions, f"({room})" if functions and " and " in room else room])
 
 
-def peeks(record: Record) -> list[Peek]:
+def peeks(record: m.Record) -> list[Peek]:
     """The tags that `present` reads ahead."""
-    found: list[Peek] = []
-    for group in presence.groups(record):
+    ahead: list[Peek] = []
+    for group in record.groups:
         if isinstance(record, m.Field) and present(group, record):
-            list(_room(group, record, found))
-    return found
+            list(_room(group, record, ahead))
+    return ahead
 
 
-def _room(group: m.GroupOp, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
+def _room(group: m.Group, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
     """Conditions for a group to be there though no function requires it: it is whole, and it is not empty.
 
     A count that is too large is another mistake, so the elements of an array do not matter.
     """
-    before = f.operations[: f.operations.index(group)]
-    begin = least(before)
+    begin = least(f.parameters[: f.parameters.index(group.parameters[0])])
     if begin.terms:  # the counters, without which that is not known
         yield f"_io.size >= {begin.fixed}"
     at = begin
-    for op in group.body:
-        if isinstance(op, m.SwitchOp):
+    for p in group.parameters:
+        if p.union:
             yield f"_io.size > {bytes_of(at)}"
-            whole = [f"({tag} and {' and '.join(inside)})" for tag, inside in _cases(op, member(op.tag), at, peeks)]
+            whole = [
+                f"({tag} and {' and '.join(inside)})" for tag, inside in _cases(p.union, member(p.union.tag), at, peeks)
+            ]
             yield f"({' or '.join(whole)})" if whole else "false"
             return
-        if isinstance(op, m.StructOp):
-            yield from _whole(op, at, peeks)
-        at += _head(op)
+        if p.struct:
+            yield from _whole(p, at, peeks)
+        at += _head(p)
     yield f"_io.size {'>' if at == begin else '>='} {bytes_of(at)}"
 
 
-def _head(op: m.Operation) -> Extent:
-    return Extent() if op.open else least([op])
+def _head(p: m.Parameter) -> Extent:
+    return Extent() if p.open else least([p])
 
 
-def _cases(op: m.SwitchOp, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[tuple[str, list[str]]]:
+def _cases(union: m.Union, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[tuple[str, list[str]]]:
     """For each case with data, when it is selected and when its data are whole."""
-    for c in op.cases:
-        if c.operation is not None:
-            yield f"{tag} == {type_name(op.tag_type)}::{value(c.tag.name)}", list(_whole(c.operation, at, peeks))
+    for c in union.cases:
+        if c.parameter is not None:
+            yield f"{tag} == {type_name(union.type)}::{value(c.tag.name)}", list(_whole(c.parameter, at, peeks))
 
 
-def _whole(op: m.Operation, at: Extent, peeks: list[Peek]) -> Iterator[str]:
+def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
     """Conditions for what is at a place to fit into the data."""
-    if not isinstance(op, m.StructOp):
-        yield f"_io.size >= {bytes_of(at + _head(op))}"
+    if not p.struct:
+        yield f"_io.size >= {bytes_of(at + _head(p))}"
         return
-    places: dict[str, tuple[Extent, m.Operation]] = {}
-    for inner in op.struct.operations:
-        if isinstance(inner, m.SwitchOp):
+    places: dict[str, tuple[Extent, m.Parameter]] = {}
+    for q in p.struct.parameters:
+        if q.union:
             yield f"_io.size >= {bytes_of(at)}"
-            place, found = places[inner.tag]
-            assert isinstance(found, m.ScalarOp)
-            peek = Peek(f"{member(op.member)}_{member(inner.tag)}", place, found)
+            peek = Peek(f"{member(p.name)}_{member(q.union.tag)}", *places[q.union.tag])
             peeks.append(peek)
-            for tag, inside in _cases(inner, peek.name, at, peeks):
+            for tag, inside in _cases(q.union, peek.name, at, peeks):
                 yield f"(not ({tag}) or ({' and '.join(inside)}))"
             return
-        places[inner.member] = at, inner
-        at += _head(inner)
+        places[q.name] = at, q
+        at += _head(q)
     yield f"_io.size >= {bytes_of(at)}"
 
 
@@ -175,10 +170,7 @@ class Layouts:
 
 
 def layouts(fields: Sequence[m.Field]) -> Layouts:
-    constants = [
-        {at + i: byte for at, op in f.constants for i, byte in enumerate(op.value.to_bytes(op.size, "big"))}
-        for f in fields
-    ]
+    constants = [{at + i: byte for at, constant in f.signature for i, byte in enumerate(constant)} for f in fields]
     fits = [
         " and ".join(f"(_io.size <= {at} or byte_{at} == {byte:#04x})" for at, byte in sorted(c.items())) or "true"
         for c in constants

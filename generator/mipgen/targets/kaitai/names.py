@@ -27,7 +27,7 @@ def type_name(thing: m.Type | m.Field) -> str:
     >>> type_name(m.Vector("vector3f", m.SCALARS["float"], ("x", "y", "z"), ""))
     'vector3f'
     """
-    owner = thing.family if isinstance(thing, m.Field) and thing.set else getattr(thing, "owner", None)
+    owner = None if isinstance(thing, m.Field) and not thing.set else thing.owner  # the acknowledge has no set
     return _type(f"{owner}_{thing.name}" if owner else thing.name)
 
 

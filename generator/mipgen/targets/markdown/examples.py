@@ -144,28 +144,25 @@ def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:
 
 
 def _parameter(p: m.Parameter, value: Any, around: Around, data: bytes, name: str) -> Iterator[Piece]:
-    match p.operation:
-        case m.StructOp(struct=inner):
-            yield from _record(around.inside(p, inner, value), data, f"{name}.")
-        case m.ArrayOp(item=m.StructOp(struct=inner)):
-            for i, one in enumerate(value):
-                rest = data[i * inner.max_size :]
-                yield from _record(around.inside(p, inner, one), rest, f"{name}[{i}].")
-        case m.ArrayOp(item=m.ArrayOp()) as op:
-            size = extent.element(op)
-            for i, one in enumerate(value):
-                yield Piece(data[i * size : (i + 1) * size], code(f"{name}[{i}]"), _numbers(p, one, around))
-        case m.SwitchOp():
-            for q in (c.parameter for c in p.cases if c.parameter is not None and c.parameter.name in value):
-                yield from _parameter(q, value[q.name], around, data, f"{name}.{q.name}")
-        case m.TextOp():
-            yield Piece(data[: len(value)], code(name), code(f'"{_printable(value)}"'))
-        case m.ArrayOp(item=m.ScalarOp() as item):
-            yield Piece(data[: len(value) * item.size], code(name), _value(p, value, around))
-        case m.ScalarOp() | m.ConstantOp() | m.CounterOp() | m.BitsOp() as op:
-            yield Piece(data[: op.size], code(name), _value(p, value, around))
-        case op:
-            raise AssertionError(op)
+    item = p.item
+    if p.struct:
+        yield from _record(around.inside(p, p.struct, value), data, f"{name}.")
+    elif item.struct:
+        for i, one in enumerate(value):
+            rest = data[i * item.struct.max_size :]
+            yield from _record(around.inside(p, item.struct, one), rest, f"{name}[{i}].")
+    elif item.several:
+        size = extent.element(p)
+        for i, one in enumerate(value):
+            yield Piece(data[i * size : (i + 1) * size], code(f"{name}[{i}]"), _numbers(p, one, around))
+    elif p.union:
+        for q in (q for q in p.alternatives if q.name in value):
+            yield from _parameter(q, value[q.name], around, data, f"{name}.{q.name}")
+    elif p.kind == "text":
+        yield Piece(data[: len(value)], code(name), code(f'"{_printable(value)}"'))
+    else:
+        size = len(value) * item.size if p.kind == "array" else p.size
+        yield Piece(data[:size], code(name), _value(p, value, around))
 
 
 # --------------------------------------------------------------------------- values
@@ -200,15 +197,14 @@ def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
 def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
     """The type that names a value, be it by a sibling or by the device."""
     named = next((v.type for v in _variants(p, around) if v.type is not None), None)
-    return named or (p.element if isinstance(p.element, (m.Enum, m.Bitfield)) else None)
+    return named or (p.leaf.named)
 
 
 def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
     units = next((v.units for v in _variants(p, around) if v.units), p.units)
     model = around.model
     shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
-    own = p.element.elements if isinstance(p.element, m.Vector) else ()
-    elements = next((v.elements for v in _variants(p, around) if v.elements), own)
+    elements = next((v.elements for v in _variants(p, around) if v.elements), p.elements)
     if len(elements) == len(shown) <= 4:
         shown = [f"{name} {v}" for name, v in zip(elements, shown, strict=True)]
     if len(units) == len(shown) > 1:

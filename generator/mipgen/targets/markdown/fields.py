@@ -33,7 +33,7 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
     """The length of a field with these parameters after `head` bytes."""
-    found = [code(e) if e.terms else str(e) for e in totals((p.operation for p in parameters), Extent(head))]
+    found = [code(e) if e.terms else str(e) for e in totals(parameters, Extent(head))]
     return " or ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
 
 
@@ -141,7 +141,7 @@ def size(f: m.Field) -> str:
 
 def _shortest(c: m.Call) -> int:
     """The bytes of the shortest data of a form."""
-    return totals((p.operation for p in c.required), Extent(1 if c.function else 0))[0].fixed
+    return totals(c.required, Extent(1 if c.function else 0))[0].fixed
 
 
 def named(page: Page, s: m.Set) -> str:

@@ -109,27 +109,18 @@ class Index:
 
     @kept
     def _users(self) -> dict[tuple[str | None, str], list[User]]:
-        records: list[m.Struct | m.Field] = [t for t in self.model.all_types if isinstance(t, m.Struct)]
+        records: list[m.Struct | m.Field] = [*m.structs(self.model.all_types)]
         records += [self.model.protocol.acknowledge, *self.model.fields]
-        users: list[tuple[User, m.Type]] = [(r, t) for r in records for t in _used(r.parameters)]
+        users: list[tuple[User, m.Type]] = [(r, t) for r in records for p in r.parameters for t in p.types]
         bitfields = [t for t in self.model.all_types if isinstance(t, m.Bitfield)]
         users += [(t, b.enum) for t in bitfields for b in t.bits if b.enum is not None]
         once = {(_name(t), _name(user)): user for user, t in users}
         return _grouped((used, user) for (used, _), user in once.items())
 
 
-def _used(parameters: Iterable[m.Parameter]) -> Iterable[m.Type]:
-    for p in parameters:
-        if p.element is not None and not isinstance(p.element, m.Scalar):
-            yield p.element
-        yield from (v.type for v in p.variants if v.type is not None)
-        yield from _used(c.parameter for c in p.cases if c.parameter is not None)
-
-
 def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
     """A field has no other name than a type of its set."""
-    owner = thing.family if isinstance(thing, m.Field) else getattr(thing, "owner", None)
-    return owner, thing.name
+    return thing.owner, thing.name
 
 
 def _section(e: m.Erratum) -> tuple[str, str]:

@@ -137,8 +137,7 @@ def of_language(page: Page, found: Iterable[Symbols]) -> list[Section]:
     headings = ["Symbol", "Field or type", "Functions and constants"]
     rows: dict[str, list[list[str]]] = {}
     for x in found:
-        owner = x.thing.family if isinstance(x.thing, m.Field) else getattr(x.thing, "owner", None)
-        of = page.model.family(owner or "")
+        of = page.model.family(x.thing.owner or "")
         rows.setdefault(label(of) if of else "Protocol and common types", []).append(
             [code(x.name), page.link(x.thing), ", ".join(map(code, x.others))]
         )

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.facts.describe import Record
 from mipgen.lower.extent import Extent, Term, exact
 
 #: Where a record begins.
@@ -21,7 +20,7 @@ class Row:
     offset: Extent
     size: Extent | None  # None: it reaches to the end of the field, or is a union
     parameter: m.Parameter | None  # None: the empty alternative of a union
-    record: Record  # the field or structure that it belongs to
+    record: m.Record  # the field or structure that it belongs to
     case: tuple[m.Case, m.Parameter] | None = None  # it is this alternative of that union
 
     def beside(self, name: str) -> str:
@@ -31,10 +30,10 @@ class Row:
         return ".".join([*around, name])
 
 
-def layout(record: Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
+def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
     """Every parameter at its place, with what is inside structures and unions."""
     for p in record.parameters:
-        row = Row(prefix + p.name, at, exact(p.operation, prefix), p, record)
+        row = Row(prefix + p.name, at, exact(p, prefix), p, record)
         yield row
         yield from _inside(row, p, depth)
         if row.size is not None:  # else nothing follows
@@ -42,16 +41,16 @@ def layout(record: Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0)
 
 
 def _inside(row: Row, p: m.Parameter, depth: int) -> Iterator[Row]:
-    if isinstance(p.element, m.Struct) and p.length is None:
-        yield from layout(p.element, row.offset, f"{row.name}.", depth)
-    elif isinstance(p.element, m.Struct):
+    if p.struct:
+        yield from layout(p.struct, row.offset, f"{row.name}.", depth)
+    elif p.item.struct:
         index = "ijklmn"[depth]
-        step = Extent(0, (Term(p.element.max_size, index),))
-        yield from layout(p.element, row.offset + step, f"{row.name}[{index}].", depth + 1)
+        step = Extent(0, (Term(p.item.struct.max_size, index),))
+        yield from layout(p.item.struct, row.offset + step, f"{row.name}[{index}].", depth + 1)
     for c in p.cases:
         q = c.parameter
         name = f"{row.name}.{q.name}" if q else row.name
-        size = exact(q.operation, f"{row.name}.") if q else Extent()
+        size = exact(q, f"{row.name}.") if q else Extent()
         member = Row(name, row.offset, size, q, row.record, (c, p))
         yield member
         if q is not None:

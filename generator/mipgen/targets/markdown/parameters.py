@@ -8,8 +8,7 @@ from dataclasses import dataclass, replace
 
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.facts.describe import Fact, Record, Ref
-from mipgen.lower.extent import REST
+from mipgen.facts.describe import Fact, Ref
 
 from . import types
 from .fields import on_page
@@ -61,7 +60,7 @@ class _Row:
         return " ".join([*before, *([self.page.prose(p.description)] if p and p.description else []), *after])
 
 
-def _rows(page: Page, record: Record) -> Iterator[_Row]:
+def _rows(page: Page, record: m.Record) -> Iterator[_Row]:
     for row in layout(record):
         case = [describe.case(*row.case, row.record)] if row.case else []
         facts = describe.parameter(row.parameter, row.record, page.model) if row.parameter else []
@@ -90,7 +89,7 @@ class Parameters:
     notes: list[str]  # what differs by device or by a sibling, and notes, a line for each
 
 
-def parameter_list(page: Page, record: Record) -> Parameters:
+def parameter_list(page: Page, record: m.Record) -> Parameters:
     rows = list(_rows(page, record))
     headings = ["Offset", "Bytes", "Name", "Type", *COLUMNS, "Description"]
     notes = [f"{code(r.row.name)}: {r.say(fact.sentence)}" for r in rows for fact in describe.topics(r.facts, *BELOW)]
@@ -110,7 +109,7 @@ def _extent(bytes_: str) -> str:
 def _size(row: Row) -> str:
     if row.size is not None:
         return _extent(str(row.size))
-    return REST if row.parameter and row.parameter.length == REST else "depends"
+    return m.REST if row.parameter and row.parameter.fills else "depends"
 
 
 def _type(page: Page, row: Row) -> str:
@@ -121,7 +120,7 @@ def _type(page: Page, row: Row) -> str:
     if e is None:
         return "union"
     if p.length is not None:
-        elements = "" if p.length == REST else row.beside(p.length) if isinstance(p.length, str) else p.length
+        elements = "" if p.fills else row.beside(p.length) if isinstance(p.length, str) else p.length
         many = inline(f"[{elements}]")
     if isinstance(e, m.Scalar):
         return code(e.name) + many
@@ -142,7 +141,7 @@ class Values:
     table: str
 
 
-def parameter_values(page: Page, record: Record) -> list[Values]:
+def parameter_values(page: Page, record: m.Record) -> list[Values]:
     """The values and bits that the parameters of a record may have, one for each type."""
     return _values(page, [record])
 
@@ -152,7 +151,7 @@ def field_values(page: Page, f: m.Field) -> list[Values]:
     return _values(page, on_page(page, f))
 
 
-def _values(page: Page, records: Sequence[Record]) -> list[Values]:
+def _values(page: Page, records: Sequence[m.Record]) -> list[Values]:
     typed: dict[tuple[str, str], tuple[m.Enum | m.Bitfield, str, dict[str, None]]] = {}
     for record in records:
         for row in layout(record):

@@ -9,7 +9,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Identifier, Target
-from mipgen.lower import calls, presence
+from mipgen.lower import calls
 
 from . import docs, info, members, names, simulation, steps, tables
 
@@ -78,7 +78,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "constructors": calls.constructors,
         "parameters": members.parameters,
         "arguments": members.arguments,
-        "required": presence.required,
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),

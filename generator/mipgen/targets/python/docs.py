@@ -9,7 +9,7 @@ from mipgen.emit.wrapping import wrapped
 from mipgen.facts import describe
 from mipgen.facts.describe import Fact, Ref
 
-from .members import Record, annotation
+from .members import annotation
 from .names import constant, home, member, module, reference
 
 WIDTH = 100  # of generated lines; pyproject.toml of the package says the same to ruff
@@ -96,7 +96,7 @@ def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
     return literal([_text(b.description, describe.bits(b, model), home(t), model)], 4)
 
 
-def of_member(p: m.Parameter, record: Record, model: m.Model) -> str:
+def of_member(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     facts, where = describe.parameter(p, record, model), home(record)
     variants = describe.topics(facts, "variant")
     choices = [say(fact.sentence, where) for fact in variants]
@@ -105,7 +105,7 @@ def of_member(p: m.Parameter, record: Record, model: m.Model) -> str:
     return literal([text, items(choices)], 4)
 
 
-def _case(c: m.Case, union: m.Parameter, record: Record, model: m.Model) -> str:
+def _case(c: m.Case, union: m.Parameter, record: m.Record, model: m.Model) -> str:
     """What a union holds for one value of its tag."""
     where, p = home(record), c.parameter
     condition = say(describe.case(c, union, record).value, where)
@@ -115,7 +115,7 @@ def _case(c: m.Case, union: m.Parameter, record: Record, model: m.Model) -> str:
     return f"If {condition}: `{annotation(p, record)}`. {text}".strip()
 
 
-def of_unheld(p: m.Parameter, record: Record, model: m.Model) -> str:
+def of_unheld(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     """A comment on a parameter that objects do not hold, as it follows from the rest."""
     text = _text(p.description, describe.parameter(p, record, model), home(record), model)
     return comment(f"On the wire only: {p.name}. {text}", 4)

@@ -14,7 +14,6 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower.numbers import in_numbers
 
-from .members import Record
 from .names import constant, member, qualified
 
 Row = dict[str, str]
@@ -74,12 +73,12 @@ def _spelled(names: Iterable[str]) -> Row:
 # --------------------------------------------------------------------------- parameters
 
 
-def of_parameter(p: m.Parameter, record: Record, model: m.Model) -> Row:
+def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
     """The description of a parameter besides its name, kind and cases."""
     values = {
         "scalar": _scalar(p.element),
-        "size": p.element.size if isinstance(p.element, m.Bitfield) and p.element.scalar is None else 0,
-        "elements": p.element.elements if isinstance(p.element, m.Vector) else (),
+        "size": p.size if p.kind == "bits" else 0,
+        "elements": p.elements,
         "length": p.length,
         "constant": p.constant,
         "counts": p.counts and member(p.counts),
@@ -93,9 +92,7 @@ def of_parameter(p: m.Parameter, record: Record, model: m.Model) -> Row:
         "magnitude": p.magnitude if p.magnitude != (None, None) else None,
         "default": p.reserved if p.default is None else in_numbers(p.default, p.element),
         "frame": p.frame,
-        "required": tuple(
-            member(x.name) for x in p.required_for if isinstance(record, m.Field) and p in record.counted
-        ),
+        "required": tuple(member(x.name) for x in p.required_for),
         "optional": p.optional,
         "reserved": p.reserved is not None,
         "deprecated": p.deprecated,
@@ -120,7 +117,7 @@ def _scalar(e: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> s
     return e.scalar.name if isinstance(e, (m.Enum, m.Bitfield, m.Vector)) and e.scalar is not None else ""
 
 
-def _variants(p: m.Parameter, record: Record, model: m.Model) -> Row:
+def _variants(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
     """What differs by device or with another parameter, and the flags of devices that have others."""
     rows = []
     for group, _ in describe.variants(p, record, model):
@@ -143,7 +140,7 @@ def _mapping(row: Row) -> str:
     return f"{{{', '.join(f'{code(k)}: {x}' for k, x in row.items())}}}"
 
 
-def _changes(v: m.Variant, p: m.Parameter, record: Record) -> Row:
+def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
     """The attributes of a parameter that a variant has otherwise."""
     if v.member and isinstance(p.element, m.Struct):
         p = next(q for q in p.element.parameters if q.name == v.member)
@@ -174,7 +171,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: Record) -> Row:
 Flags = list[tuple[str, str, int]]
 
 
-def flags(paths: Iterable[str], record: Record, device: str | None = None) -> Flags:
+def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> Flags:
     """What says that a value is valid: path, attribute and mask of each; the mask of a bool is 0.
 
     Nothing if the device decides which bit it is, and is not known.
@@ -203,7 +200,7 @@ def _masks(types: Iterable[object], bit: str) -> list[int]:
     return [b.mask for t in types if isinstance(t, m.Bitfield) for b in t.bits if b.name == bit]
 
 
-def _flags_on(p: m.Parameter, record: Record) -> dict[str, Flags]:
+def _flags_on(p: m.Parameter, record: m.Record) -> dict[str, Flags]:
     """Devices where a parameter has another valid flag, or the same flag is another bit."""
     own = {v.key: v.valid for v in p.variants if v.by_device and v.valid is not None and not v.member}
     holders = {path.partition(".")[0] for paths in (p.valid, *own.values()) for path in paths}

@@ -5,21 +5,18 @@ from __future__ import annotations
 import math
 
 from mipgen import model as m
-from mipgen.lower import presence
-from mipgen.lower.calls import Constructor, constructors, replies
+from mipgen.lower.calls import constructors, replies
 from mipgen.lower.runs import run
 
 from .names import SCALARS, constant, home, member, reference
 
-Record = m.Field | m.Struct
 
-
-def members(record: Record) -> list[m.Parameter]:
+def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that an object holds: the others follow from these."""
     return [p for p in record.parameters if not p.derived]
 
 
-def held(record: Record) -> tuple[str, ...]:
+def held(record: m.Record) -> tuple[str, ...]:
     """The names of the members."""
     return tuple(member(p.name) for p in members(record))
 
@@ -36,7 +33,7 @@ def sets(f: m.Field) -> str:
     return f"({', '.join(f'0x{n:02X}' for n in f.sets)},)"
 
 
-def annotation(p: m.Parameter, record: Record) -> str:
+def annotation(p: m.Parameter, record: m.Record) -> str:
     """The type of a parameter's value, where it is there."""
     one = _one(p, record)
     if not is_array(p):
@@ -47,17 +44,16 @@ def annotation(p: m.Parameter, record: Record) -> str:
 
 def is_array(p: m.Parameter) -> bool:
     """Has it several elements, in a tuple? Text has none."""
-    return p.length is not None and not (isinstance(p.element, m.Scalar) and p.element.kind == "char")
+    return p.kind == "array" and not p.vector
 
 
 def few_elements(p: m.Parameter) -> int:
     """The length of an array whose type names each element; 0 if it does not."""
-    if isinstance(p.length, int) and p.length <= 4 and isinstance(p.element, (m.Scalar, m.Vector)):
-        return p.length
-    return 0
+    plain = is_array(p) and not (p.leaf.named or p.leaf.struct)
+    return p.capacity if plain and not p.open and p.capacity <= 4 else 0
 
 
-def _one(p: m.Parameter, record: Record) -> str:
+def _one(p: m.Parameter, record: m.Record) -> str:
     match p.element:
         case m.Scalar() as scalar:
             return "str" if scalar.kind == "char" and p.length is not None else SCALARS[scalar.name][1]
@@ -68,20 +64,18 @@ def _one(p: m.Parameter, record: Record) -> str:
             return reference(t, home(record))
 
 
-def hint(p: m.Parameter, record: Record) -> str:
+def hint(p: m.Parameter, record: m.Record) -> str:
     """The type of a member."""
     one = annotation(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
-def may_be_absent(p: m.Parameter, record: Record) -> bool:
+def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
     """Can the member be None because it was not sent? An unknown function requires nothing."""
-    if not isinstance(record, m.Field):
-        return False
     return not p.selector if record.selector else p.optional
 
 
-def default(p: m.Parameter, record: Record) -> str | None:
+def default(p: m.Parameter, record: m.Record) -> str | None:
     """The value of a member that the caller does not give."""
     if may_be_absent(p, record) or p.element is None:
         return "None"
@@ -95,18 +89,18 @@ def _reserved(p: m.Parameter) -> str:
     return repr((p.reserved,) * few) if few else f"({p.reserved},) * {p.length}"
 
 
-def keyword_only(p: m.Parameter, record: Record) -> bool:
+def keyword_only(p: m.Parameter, record: m.Record) -> bool:
     """A default before members without one: given by name only."""
     held = members(record)
     return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
 
 
-def by_place(record: Record) -> tuple[str, ...]:
+def by_place(record: m.Record) -> tuple[str, ...]:
     """The members that a caller may give by place."""
     return tuple(member(p.name) for p in members(record) if not keyword_only(p, record))
 
 
-def initial(record: Record) -> list[str]:
+def initial(record: m.Record) -> list[str]:
     """The parameters of the constructor."""
     found: list[str] = []
     by_name: list[str] = []
@@ -117,13 +111,13 @@ def initial(record: Record) -> list[str]:
     return [*found, "*", *by_name] if by_name else found
 
 
-def accepted(p: m.Parameter, record: Record) -> str:
+def accepted(p: m.Parameter, record: m.Record) -> str:
     """What a caller may give for a member."""
     one = _needed(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
-def _needed(p: m.Parameter, record: Record) -> str:
+def _needed(p: m.Parameter, record: m.Record) -> str:
     """The same for a member that is there: vectors can be made of any numbers, arrays of any sequence."""
     kinds = vectors(p)
     numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
@@ -132,7 +126,7 @@ def _needed(p: m.Parameter, record: Record) -> str:
     return f"{annotation(p, record)} | {numbers}" if kinds else annotation(p, record)
 
 
-def kept(p: m.Parameter, record: Record) -> str:
+def kept(p: m.Parameter, record: m.Record) -> str:
     """What the object holds of what a caller gave."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
     if kinds:
@@ -147,7 +141,7 @@ def vectors(p: m.Parameter) -> list[m.Vector]:
     return [p.element] if isinstance(p.element, m.Vector) else []
 
 
-def vector_members(record: Record) -> dict[str, list[str]]:
+def vector_members(record: m.Record) -> dict[str, list[str]]:
     """Members that are vectors -> the classes of which they may be, as Python writes them."""
     single = [p for p in members(record) if p.length is None and vectors(p)]
     return {member(p.name): [reference(v, home(record)) for v in vectors(p)] for p in single}
@@ -164,28 +158,28 @@ def columns(v: m.Vector) -> int:
     return count if count > 1 and places == list(v.elements) else 0
 
 
-def layout(record: Record) -> list[tuple[str, str, str]]:
+def layout(record: m.Record) -> list[tuple[str, str, str]]:
     """Member, letters of `struct`, and what makes the value from the numbers, if all of a record are numbers at
     fixed places; else nothing."""
     found = []
     if not isinstance(record, m.Field) or record.optional or record.selector:
         return []
     for p in record.parameters:
-        numbers = run(p.operation)
-        if numbers is None or p.operation.kind not in ("scalar", "array"):
+        numbers = run(p)
+        if numbers is None or p.kind not in ("scalar", "array"):
             return []
-        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.operation.leaf.named
+        letter, truth, named = SCALARS[numbers.scalar.name][0], numbers.scalar.kind == "bool", p.leaf.named
         if numbers.count is None:
             made = reference(named, home(record)) if named else "codec.truth" if truth else ""
         elif truth or named:
             return []
         else:
-            made = reference(p.element, home(record)) if isinstance(p.element, m.Vector) else "tuple"
+            made = reference(p.vector, home(record)) if p.vector else "tuple"
         found.append((member(p.name), letter * (numbers.count or 1), made))
     return found
 
 
-def decoded(record: Record) -> list[str]:
+def decoded(record: m.Record) -> list[str]:
     """What a decoder hands to the constructor: by place, then by name."""
     names = [(member(p.name), keyword_only(p, record)) for p in members(record)]
     return [n for n, by_name in names if not by_name] + [f"{n}={n}" for n, by_name in names if by_name]
@@ -194,13 +188,13 @@ def decoded(record: Record) -> list[str]:
 # --------------------------------------------------------------------------- constructors
 
 
-def parameters(way: Constructor, record: m.Field) -> list[str]:
+def parameters(way: m.Call, record: m.Field) -> list[str]:
     """The parameters of the constructor for a function: the required ones, then the optional ones."""
     asked = [f"{member(p.name)}: {_needed(p, record)}" for p in way.values]
     return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in way.addable]
 
 
-def arguments(way: Constructor) -> list[str]:
+def arguments(way: m.Call) -> list[str]:
     """What that constructor passes on, after the function."""
     found = []
     for p in way.required:
@@ -223,11 +217,11 @@ def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
     held = {p.name for p in members(f)}
     return tuple(
         (
-            op.last,
-            tuple(member(part.member) for part in op.body if part.member in held),
-            any(part.kind == "switch" for part in op.body),
+            group.last,
+            tuple(member(p.name) for p in group.parameters if p.name in held),
+            any(p.kind == "switch" for p in group.parameters),
         )
-        for op in presence.groups(f)
+        for group in f.groups
     )
 
 
@@ -288,6 +282,5 @@ def matches(f: m.Field, model: m.Model) -> str:
     tests = [f"{sizes.start} <= len(data)"] if sizes.start else []
     if sizes.stop <= m.MAX_FIELD_DATA:
         tests = [f"{sizes.start} <= len(data) < {sizes.stop}" if sizes.start else f"len(data) < {sizes.stop}"]
-    for at, size, value in f.signature:
-        tests.append(f"{value.to_bytes(size, 'big')!r}.startswith(data[{at}:{at + size}])")
+    tests += [f"{octets!r}.startswith(data[{at}:{at + len(octets)}])" for at, octets in f.signature]
     return " and ".join(tests)

@@ -52,8 +52,7 @@ def home(thing: m.Type | m.Field) -> str:
         return module(thing.family) if thing.set else "protocol"
     if thing.name == "function_selector":  # no type of a specification can be called so
         return "protocol"
-    owner = None if isinstance(thing, m.Vector) else thing.owner
-    return module(owner) if owner else "types"
+    return module(thing.owner) if thing.owner else "types"
 
 
 def qualified(thing: m.Type | m.Field) -> str:

@@ -1,4 +1,4 @@
-"""How records are read and written: their operations, with neighbouring numbers joined into blocks.
+"""How records are read and written: their parameters, with neighbouring numbers joined into blocks.
 
 A block is one `codec.Block` of the package, which has one `struct.Struct`.
 """
@@ -14,7 +14,6 @@ from mipgen.emit.naming import upper
 from mipgen.lower import extent
 from mipgen.lower.runs import Run, run
 
-from .members import Record
 from .names import SCALARS, home, member, reference
 
 
@@ -34,6 +33,10 @@ class Value:
     @property
     def end(self) -> int:
         return self.first + self.count
+
+
+#: What a block calls the parameters that are not single numbers.
+_BLOCK_KINDS: dict[str, Literal["number", "array", "bits"]] = {"array": "array", "bits": "bits"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,36 +125,36 @@ class Plan:
         return [s for s in self.steps if s.kind == "group"]
 
 
-def plan(record: Record) -> Plan:
+def plan(record: m.Record) -> Plan:
     planner = _Planner(record)
-    steps = planner.steps(record.operations)
-    return Plan(steps, tuple(planner.blocks))
+    always = planner.steps(record.always)
+    groups = [Group(group.last, planner.steps(group.parameters)) for group in record.groups]
+    return Plan((*always, *groups), tuple(planner.blocks))
 
 
 class _Planner:
     """Joins neighbouring numbers into blocks and numbers these."""
 
-    def __init__(self, record: Record) -> None:
+    def __init__(self, record: m.Record) -> None:
         self.home = home(record)
         self.name = upper(record.name)
-        arrays = (p.operation for p in record.parameters)
-        self.capacities = {op.member: op.capacity for op in arrays if isinstance(op, (m.ArrayOp, m.TextOp))}
+        self.capacities = {p.name: p.capacity for p in record.parameters}
         self.blocks: list[Block] = []
 
-    def steps(self, operations: Iterable[m.Operation], union: str = "") -> tuple[Step, ...]:
+    def steps(self, parameters: Iterable[m.Parameter], union: str = "") -> tuple[Step, ...]:
         """`union`: the member that a case of a union goes to, whatever its own name is."""
         found: list[Step] = []
         joined: list[Run] = []
-        for op in operations:
-            numbers = None if op.kind == "text" else run(op)
+        for p in parameters:
+            numbers = None if p.kind == "text" else run(p)
             if numbers:
                 joined.append(numbers)
-                if op.kind != "constant":  # a wrong constant is the first thing to say of a record
+                if p.kind != "constant":  # a wrong constant is the first thing to say of a record
                     continue
             found += self.block(joined, union)
             joined = []
             if not numbers:
-                found.append(self.step(op, union))
+                found.append(self.step(p, union))
         return (*found, *self.block(joined, union))
 
     def block(self, joined: Sequence[Run], union: str) -> list[Step]:
@@ -167,58 +170,47 @@ class _Planner:
         return [block]
 
     def value(self, numbers: Run, union: str, at: int) -> Value:
-        op, count = numbers.op, 1 if numbers.count is None else numbers.count
-        match op:
-            case m.ConstantOp():
-                return Value("constant", member(op.member), at, count, constant=op.value)
-            case m.CounterOp():
-                array, capacity = member(op.array), self.capacities[op.array]
-                return Value("counter", member(op.member), at, count, array=array, capacity=capacity)
-            case m.ArrayOp(vector=m.Vector() as vector):
-                return Value("vector", union or member(op.member), at, count, reference(vector, self.home))
-        kind: Literal["number", "array", "bits"] = (
-            "bits" if op.kind == "bits" else "array" if op.kind == "array" else "number"
-        )
-        return Value(kind, union or member(op.member), at, count, self.convert(op.leaf))
+        p, count = numbers.parameter, numbers.count or 1
+        if p.constant is not None:
+            return Value("constant", member(p.name), at, count, constant=p.constant)
+        if p.counts is not None:
+            return Value("counter", member(p.name), at, count, "", member(p.counts), self.capacities[p.counts])
+        if p.vector:
+            return Value("vector", union or member(p.name), at, count, reference(p.vector, self.home))
+        kind = _BLOCK_KINDS.get(p.kind, "number")
+        return Value(kind, union or member(p.name), at, count, self.convert(p.leaf))
 
-    def step(self, op: m.Operation, union: str) -> Step:
-        match op:
-            case m.GroupOp():
-                return Group(op.last, self.steps(op.body))
-            case m.StructOp():
-                return Structure(union or member(op.member), reference(op.struct, self.home))
-            case m.SwitchOp():
-                name = union or member(op.member)
-                cases = [
-                    Case(c.tag.value, self.steps([c.operation], name), self.case_type(c))
-                    for c in op.cases
-                    if c.operation
-                ]
-                return Switch(name, member(op.tag), tuple(cases))
-            case m.ArrayOp() | m.TextOp():
-                return self.items(op, union or member(op.member))
-        raise AssertionError(op)
+    def step(self, p: m.Parameter, union: str) -> Step:
+        name = union or member(p.name)
+        if p.struct:
+            return Structure(name, reference(p.struct, self.home))
+        if p.union:
+            cases = (
+                Case(c.tag.value, self.steps([c.parameter], name), self.case_type(c.parameter))
+                for c in p.cases
+                if c.parameter
+            )
+            return Switch(name, member(p.union.tag), tuple(cases))
+        return self.items(p, name)
 
-    def items(self, op: m.ArrayOp | m.TextOp, name: str) -> Items:
-        counter = member(op.counter) if op.counter else ""
-        shape = (name, op.count, counter, op.capacity, extent.element(op))
-        match op:
-            case m.ArrayOp(item=m.StructOp(struct=struct)):
-                return Items("structures", *shape, convert=reference(struct, self.home))
-            case m.ArrayOp(item=m.ArrayOp(item=m.ScalarOp(scalar=scalar), count=int(width), vector=m.Vector() as kind)):
-                return Items("vectors", *shape, _letter(scalar), width, reference(kind, self.home))
-            case m.ArrayOp(item=m.ScalarOp() as item):
-                return Items("numbers", *shape, _letter(item.scalar), convert=self.convert(item))
+    def items(self, p: m.Parameter, name: str) -> Items:
+        item, counter = p.item, member(p.counter) if p.counter else ""
+        shape = (name, p.count, counter, p.capacity, extent.element(p))
+        if item.struct:
+            return Items("structures", *shape, convert=reference(item.struct, self.home))
+        if item.vector:
+            return Items("vectors", *shape, _letter(item.scalar), item.capacity, reference(item.vector, self.home))
+        if p.kind == "array":
+            return Items("numbers", *shape, _letter(item.scalar), convert=self.convert(item))
         return Items("text", *shape)
 
-    def convert(self, op: m.Operation) -> str:
-        if op.named is not None:
-            return reference(op.named, self.home)
-        return "codec.truth" if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool" else ""
+    def convert(self, p: m.Parameter) -> str:
+        if p.named is not None:
+            return reference(p.named, self.home)
+        return "codec.truth" if p.kind == "scalar" and p.scalar.kind == "bool" else ""
 
-    def case_type(self, case: m.Case) -> str:
-        element = case.parameter.element if case.parameter else None
-        return reference(element, self.home) if isinstance(element, m.Struct) else ""
+    def case_type(self, p: m.Parameter) -> str:
+        return reference(p.element, self.home) if isinstance(p.element, m.Struct) else ""
 
 
 def _held(step: Step) -> list[str]:

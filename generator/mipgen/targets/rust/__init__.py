@@ -10,7 +10,7 @@ from mipgen.emit import package
 from mipgen.emit.target import File, Identifier, Target
 
 from . import commands, docs, names, records, tables
-from .names import LANGUAGE, Record, constant, home, member, method, module, type_name, variant
+from .names import LANGUAGE, constant, home, member, method, module, type_name, variant
 from .records import Records
 
 #: The oldest Rust that builds the crate.
@@ -77,7 +77,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "derives": of.derives,
         "derives_default": of.derives_default,
         "is_long": records.is_long,
-        "is_selector": records.is_selector,
         "is_sequence": records.is_sequence,
         "needs": of.needs,
         "members": of.members,
@@ -122,7 +121,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": lambda n: f"0x{n:02X}",
         "layouts": rows.layouts,
         "linked": rows.linked,
-        "octets": tables.octets,
         "numbers": docs.numbers,
         "option": tables.option,
         "quoted": tables.quoted,
@@ -172,25 +170,24 @@ def _field(model: m.Model, f: m.Field) -> Iterator[Identifier]:
 def _union(union: records.Union) -> Iterator[Identifier]:
     position = union.record.position
     where = f"{home(union.record)}::{union.name}"
-    what = f"the union {union.operation.member} of {union.record.name}"
+    what = f"the union {union.parameter.name} of {union.record.name}"
     yield Identifier(home(union.record), union.name, what, position)
     yield Identifier(where, "Other", "an unknown tag", position)
-    for case in union.operation.cases:
+    for case in union.of.cases:
         yield Identifier(where, variant(case.tag.name), case.tag.name, position)
 
 
 def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
-    position = None if isinstance(t, m.Vector) else t.position
     where = f"{home(t)}::{type_name(t.name)}"
-    yield Identifier(home(t), type_name(t.name), t.name, position)
+    yield Identifier(home(t), type_name(t.name), t.name, t.position)
     match t:
         case m.Enum():
             for v in t.values:
-                yield Identifier(where, constant(v.name), v.name, position)
+                yield Identifier(where, constant(v.name), v.name, t.position)
         case m.Bitfield():
             for b in t.bits:
                 for name in (constant(b.name), method(b.name), f"set_{b.name}", f"with_{b.name}"):
-                    yield Identifier(where, name, b.name, position)
+                    yield Identifier(where, name, b.name, t.position)
         case m.Vector():
             for e in t.elements:
                 yield Identifier(where, member(e), e, None)
@@ -198,7 +195,7 @@ def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
             yield from _record(of, t, t.name)
 
 
-def _record(of: Records, record: Record, what: str) -> Iterator[Identifier]:
+def _record(of: Records, record: m.Record, what: str) -> Iterator[Identifier]:
     methods = f"the methods of {what}"
     for x in of.members(record):
         yield Identifier(what, x.name, x.parameter.name, x.parameter.position)

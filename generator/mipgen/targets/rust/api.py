@@ -42,7 +42,7 @@ def _belonging(x: m.Type | m.Field, name: str, records: Records) -> Iterator[str
             yield from (f"{name}::{r.name}" for r in records.readings(x))
             for union in records.unions_of(x):
                 yield union.name
-                yield from (f"{union.name}::{names.variant(k.tag.name)}" for k in union.operation.cases)
+                yield from (f"{union.name}::{names.variant(k.tag.name)}" for k in union.of.cases)
     if isinstance(x, m.Field) and len(x.responses) > 1:
         yield names.responses_name(x)
 
@@ -64,9 +64,9 @@ def _unions(model: m.Model) -> dict[str, str]:
     records, found = model.derived(Records), {}
     for r in of.records(model):
         for p in r.parameters:
-            if isinstance(p.operation, m.SwitchOp):
+            if p.union:
                 where = names.home(r)
-                found[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.operation, where).name}"
+                found[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.union, where).name}"
     return found
 
 

@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
 from mipgen.facts import describe
 
-from .names import Record, constant, home, member, method, module, path, type_name
+from .names import constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
 WIDTH = 100
@@ -43,11 +43,11 @@ class Docs:
         said, notes = self._facts(describe.field(f, self.model), home(f))
         return [f"{title(f)}.", self._prose(f.description, home(f)), said, *self._unheld(f), notes, sources(f)]
 
-    def parameter(self, p: m.Parameter, record: Record) -> tuple[str, str, list[str]]:
+    def parameter(self, p: m.Parameter, record: m.Record) -> tuple[str, str, list[str]]:
         said, notes = self._facts(describe.parameter(p, record, self.model), home(record))
         return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
 
-    def _unheld(self, record: Record) -> list[Block]:
+    def _unheld(self, record: m.Record) -> list[Block]:
         """What is on the wire and held by no member."""
         found: list[Block] = []
         for p in record.parameters:
@@ -63,7 +63,7 @@ class Docs:
         description = self._prose(t.description, home(t)) or words(t.name)
         more, _ = self._facts(describe.type(t, self.model), home(t))
         unheld = self._unheld(t) if isinstance(t, m.Struct) else []
-        return [description, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
+        return [description, more, *unheld, sources(t)]
 
     def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
         said, _ = self._facts(describe.value(v, self.model), home(of))
@@ -74,11 +74,10 @@ class Docs:
         return [f"{self._prose(b.description, home(of)) or words(b.name)} {said}"]
 
     def union(self, u: Union) -> list[Block]:
-        return [f"The alternatives of `{u.operation.member}` in [`{type_name(u.record.name)}`]."]
+        return [f"The alternatives of `{u.parameter.name}` in [`{type_name(u.record.name)}`]."]
 
     def case(self, c: m.Case, u: Union) -> list[Block]:
-        union = next(p for p in u.record.parameters if p.operation is u.operation)
-        facts = [describe.case(c, union, u.record)]
+        facts = [describe.case(c, u.parameter, u.record)]
         facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
         said, notes = self._facts(facts, home(u.record))
         description = c.parameter.description if c.parameter else ""
@@ -86,13 +85,13 @@ class Docs:
 
     # ------------------------------------------------------------------ methods
 
-    def reading(self, r: Reading, record: Record) -> list[Block]:
+    def reading(self, r: Reading, record: m.Record) -> list[Block]:
         return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
 
     def conversion(self, c: Conversion) -> list[Block]:
         return [self._variants(c.reading, c.record, "types")]
 
-    def _variants(self, r: Reading, record: Record, here: str) -> str:
+    def _variants(self, r: Reading, record: m.Record, here: str) -> str:
         told = describe.variants(r.member.parameter, record, self.model)
         return self._facts([fact for group, fact in told if any(v in r.variants for v in group)], here)[0]
 
@@ -138,7 +137,7 @@ def numbers(family: m.Family) -> str:
     return ", ".join(f"0x{s.number:02X}" for s in family.sets)
 
 
-def sources(thing: m.Field | m.Family | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
+def sources(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
     found = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {found}." if found else ""
 

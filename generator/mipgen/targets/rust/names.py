@@ -8,8 +8,6 @@ from mipgen import model as m
 from mipgen.emit.naming import Escape, Grammar, pascal, upper
 from mipgen.emit.render import language
 
-Record = m.Field | m.Struct
-
 LANGUAGE = language("rust")
 KEYWORDS = frozenset(LANGUAGE["keywords"])
 GRAMMAR = Grammar(r"[A-Za-z]\w*|_\w+", KEYWORDS)
@@ -79,12 +77,9 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 # --------------------------------------------------------------------------- places
 
 
-def home(thing: m.Type | Record) -> str:
+def home(thing: m.Type | m.Record) -> str:
     """The module of a type."""
-    if isinstance(thing, m.Field):
-        return module(thing.family)
-    owner = None if isinstance(thing, m.Vector) else thing.owner
-    return module(owner) if owner else "types"
+    return module(thing.owner) if thing.owner else "types"
 
 
 def feature(family: m.Family) -> str:
@@ -99,7 +94,7 @@ def set_constant(s: m.Set, family: m.Family) -> str:
     return constant(s.name) if len(family.sets) > 1 else "SET"
 
 
-def path(thing: m.Type | Record, here: str) -> str:
+def path(thing: m.Type | m.Record, here: str) -> str:
     """What a type is called inside the module `here`."""
     name, where = type_name(thing.name), home(thing)
     return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.base.reads import Memo
-from mipgen.lower import calls, extent, presence
+from mipgen.lower import calls, extent
 from mipgen.model.parameters import alike
 
 from .names import (
-    Record,
     constant,
     constants,
     constructor,
@@ -50,15 +49,14 @@ class Member:
         """The type of an argument that becomes this member: what is easy to give."""
         if self.type == BOOL:
             return "bool"
-        vector = isinstance(self.parameter.element, m.Vector) and self.parameter.length is None
-        return f"impl Into<{self.type}>" if vector or self.type.startswith("crate::List<") else self.type
+        return f"impl Into<{self.type}>" if self.parameter.vector or self.type.startswith("crate::List<") else self.type
 
     @property
     def default(self) -> str:
         """What it is by default, as an expression."""
         if self.may_be_absent:
             return "None"
-        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter.operation)
+        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,16 +71,17 @@ class Constructor:
 @dataclass(frozen=True, slots=True)
 class Union:
     name: str
-    record: Record  # that it is defined beside
-    operation: m.SwitchOp
+    record: m.Record  # that it is defined beside
+    parameter: m.Parameter
+    of: m.Union
 
     @property
     def default(self) -> str:
         """The alternative of tag 0, as an expression."""
-        case = next((c for c in self.operation.cases if c.tag.value == 0), None)
+        case = next((c for c in self.of.cases if c.tag.value == 0), None)
         if case is None:
-            return f"{self.name}::Other({path(self.operation.tag_type, home(self.record))}(0))"
-        value = f"({default(case.operation)})" if case.operation else ""
+            return f"{self.name}::Other({path(self.of.type, home(self.record))}(0))"
+        value = f"({default(case.parameter)})" if case.parameter else ""
         return f"{self.name}::{variant(case.tag.name)}{value}"
 
 
@@ -110,7 +109,7 @@ class Conversion:
 
     of: m.Enum | m.Bitfield
     to: m.Enum | m.Bitfield
-    record: Record  # where it is read so first
+    record: m.Record  # where it is read so first
     reading: Reading
 
     @property
@@ -128,83 +127,74 @@ class Records:
         self._members: Memo[int, list[Member]] = Memo()  # those of a record, by its identity
         for record in self.all():
             for p in record.parameters:
-                if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
-                    self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p.operation))
+                if p.union and self._union(p.union, home(record)) is None:
+                    self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p, p.union))
 
-    def all(self) -> Iterator[Record]:
-        yield from structs(self.model.types)
+    def all(self) -> Iterator[m.Record]:
+        yield from m.structs(self.model.types)
         yield self.model.protocol.acknowledge
         for family in self.model.families:
-            yield from structs(family.types)
+            yield from m.structs(family.types)
             yield from family.fields
 
     # ------------------------------------------------------------------ types
 
-    def unions_of(self, record: Record) -> list[Union]:
+    def unions_of(self, record: m.Record) -> list[Union]:
         return [u for u in self.unions if u.record is record]
 
-    def union(self, op: m.SwitchOp, here: str) -> Union:
+    def union(self, of: m.Union, here: str) -> Union:
         """Unions of a module that have the same alternatives are one type."""
-        found = self._union(op, here)
-        assert found is not None
-        return found
+        union = self._union(of, here)
+        assert union is not None
+        return union
 
-    def _union(self, op: m.SwitchOp, here: str) -> Union | None:
-        same = (u for u in self.unions if home(u.record) == here and u.operation.tag_type == op.tag_type)
-        return next((u for u in same if alike(u.operation.cases, op.cases)), None)
+    def _union(self, of: m.Union, here: str) -> Union | None:
+        same = (u for u in self.unions if home(u.record) == here and u.of.type == of.type)
+        return next((u for u in same if alike(u.of.cases, of.cases)), None)
 
-    def rust(self, op: m.Operation, here: str) -> str:
-        """The type of what an operation reads."""
-        match op:
-            case m.ScalarOp() | m.BitsOp() if op.type:
-                return path(op.type, here)
-            case m.ScalarOp():
-                return scalar(op.scalar)
-            case m.TextOp():
-                return f"crate::Text<{op.count}>" if op.count is not None else f"crate::VarText<{op.capacity}>"
-            case m.ArrayOp() if op.vector is not None:
-                return path(op.vector, here)
-            case m.ArrayOp():
-                item = self.rust(op.item, here)
-                return f"[{item}; {op.count}]" if op.count is not None else f"crate::List<{item}, {op.capacity}>"
-            case m.StructOp():
-                return path(op.struct, here)
-            case m.SwitchOp():
-                return self.union(op, here).name
-        raise AssertionError(op)
+    def rust(self, p: m.Parameter, here: str) -> str:
+        """The type of a parameter."""
+        if p.union:
+            return self.union(p.union, here).name
+        if t := p.named or p.vector or p.struct:
+            return path(t, here)
+        if p.kind == "text":
+            return f"crate::VarText<{p.capacity}>" if p.open else f"crate::Text<{p.count}>"
+        if p.kind == "array":
+            item = self.rust(p.item, here)
+            return f"crate::List<{item}, {p.capacity}>" if p.open else f"[{item}; {p.count}]"
+        return scalar(p.scalar)
 
     # ------------------------------------------------------------------ members
 
-    def members(self, record: Record) -> list[Member]:
+    def members(self, record: m.Record) -> list[Member]:
         return self._members.get(id(record), self._made, record)
 
-    def _made(self, record: Record) -> list[Member]:
-        absent = presence.last(record)
+    def _made(self, record: m.Record) -> list[Member]:
         return [
-            Member(member(p.name), self.rust(p.operation, home(record)), p.name in absent, p)
+            Member(member(p.name), self.rust(p, home(record)), p.name in record.present_with, p)
             for p in record.parameters
             if not p.derived
         ]
 
-    def members_of(self, group: m.GroupOp, record: Record) -> list[Member]:
-        return [x for x in self.members(record) if x.parameter.operation in group.body]
+    def members_of(self, group: m.Group, record: m.Record) -> list[Member]:
+        return [x for x in self.members(record) if x.parameter in group.parameters]
 
-    def derives(self, record: Record) -> list[str]:
+    def derives(self, record: m.Record) -> list[str]:
         """The traits that a record derives besides those of all records."""
-        selects = isinstance(record, m.Field) and record.selector
-        default = ["Default"] if self.derives_default(record) and not selects else []
-        return sorted([*default, *_derives(record.operations, record.max_size)])
+        default = ["Default"] if self.derives_default(record) and not record.selector else []
+        return sorted([*default, *_derives(record.parameters, record.max_size)])
 
-    def derives_default(self, record: Record) -> bool:
+    def derives_default(self, record: m.Record) -> bool:
         """Is the default of each member the one of its type?"""
         return all(x.default in ("None", DEFAULT) for x in self.members(record))
 
     # ------------------------------------------------------------------ constructors and setters
 
-    def constructors(self, record: Record) -> list[Constructor]:
+    def constructors(self, record: m.Record) -> list[Constructor]:
         return [self._constructor(record, way) for way in calls.constructors(record)]
 
-    def _constructor(self, record: Record, way: calls.Constructor) -> Constructor:
+    def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
         """The caller gives no reserved values, and no tag whose union is given."""
         given, values = [], []
         for x in self.members(record):
@@ -224,14 +214,14 @@ class Records:
         what = "the command from its parameters" if isinstance(record, m.Field) else "it from its values"
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
-    def settable(self, record: Record) -> list[Member]:
+    def settable(self, record: m.Record) -> list[Member]:
         """What a caller may add to a command."""
         command = isinstance(record, m.Field) and record.role == m.COMMAND
         return [x for x in self.members(record) if command and x.parameter.optional]
 
     # ------------------------------------------------------------------ readings
 
-    def readings(self, record: Record) -> list[Reading]:
+    def readings(self, record: m.Record) -> list[Reading]:
         """One for each type that names the values of a member, on a device or beside a value of a sibling."""
         here, members = home(record), {x.parameter.name: x for x in self.members(record)}
         found = []
@@ -247,18 +237,14 @@ class Records:
 
     def needs(self, family: m.Family) -> list[str]:
         """The features of the families whose types the fields of a family have."""
-        records: list[Record] = [*family.fields, *structs(family.types)]
+        records: list[m.Record] = [*family.fields, *m.structs(family.types)]
         used = [t for record in records for t in self._types(record)]
         used += [b.enum for t in (*family.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
         return sorted({home(t) for t in used} - {"types", module(family.name)})
 
-    def _types(self, record: Record) -> Iterator[m.Type]:
+    def _types(self, record: m.Record) -> Iterator[m.Type]:
         yield from (v.type for p in record.parameters for v in p.readings if v.type)
-        for op in _parts(record.operations):
-            if op.named:
-                yield op.named
-            elif isinstance(op, m.StructOp):
-                yield op.struct
+        yield from (t for p in _parts(record.parameters) if (t := p.named or p.struct))
 
     def conversions(self) -> list[Conversion]:
         """From the named types of members to the types that they are read as."""
@@ -271,59 +257,51 @@ class Records:
         return list(found.values())
 
 
-def structs(types: Iterable[m.Type]) -> list[m.Struct]:
-    return [t for t in types if isinstance(t, m.Struct)]
-
-
 def union_derives(union: Union) -> list[str]:
-    return _derives([union.operation], extent.size(union.operation)[1])
+    return _derives([union.parameter], extent.size(union.parameter)[1])
 
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
     """What all responses derive, their enumeration does too."""
-    found = [_derives(r.operations, r.max_size) for r in responses]
+    found = [_derives(r.parameters, r.max_size) for r in responses]
     return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in found)]
 
 
-def _derives(operations: Iterable[m.Operation], size: int) -> list[str]:
+def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:
     """`Copy` of what is small and has no lists, `Eq` and `Hash` of what has no floats."""
-    parts = list(_parts(operations))
-    lists = size > MAX_COPIED or any(op.open for op in parts)
-    floats = any(isinstance(op, m.ScalarOp) and op.scalar.kind == "float" for op in parts)
+    parts = list(_parts(parameters))
+    lists = size > MAX_COPIED or any(p.open for p in parts)
+    floats = any(p.kind == "scalar" and p.scalar.kind == "float" for p in parts)
     return [*([] if lists else ["Copy"]), *([] if floats else ["Eq", "Hash"])]
 
 
-def _parts(operations: Iterable[m.Operation]) -> Iterator[m.Operation]:
-    """The operations, and those inside of them."""
-    for op in operations:
-        yield op
-        yield from _parts(op.inside)
+def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
+    """The parameters, and those inside of them."""
+    for p in parameters:
+        yield p
+        yield from _parts(p.inside)
 
 
-def is_sequence(record: Record) -> bool:
+def is_sequence(record: m.Record) -> bool:
     """Has it just its members on the wire, one after another?"""
-    plain = not any(op.kind in ("constant", "counter", "switch", "group") for op in record.operations)
-    return plain and not any(p.selector or member(p.name) != p.name for p in record.parameters)
+    special = any(p.kind in ("constant", "counter", "switch") or p.selector for p in record.parameters)
+    return not special and not record.groups and all(member(p.name) == p.name for p in record.parameters)
 
 
-def is_selector(op: m.Operation, record: Record) -> bool:
-    return any(p.selector and p.operation is op for p in record.parameters)
-
-
-def when(group: m.GroupOp, record: m.Field) -> str:
+def when(group: m.Group, record: m.Field) -> str:
     """When a group must be there: for some functions, or never."""
     required = record.counted[group.first - 1].required_for
     return f"for {constants(required)}" if required else "optional"
 
 
-def default(op: m.Operation) -> str:
-    """The default of what an operation reads."""
-    return f"[{DEFAULT}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else DEFAULT
+def default(p: m.Parameter) -> str:
+    """The default of the type of a parameter."""
+    return f"[{DEFAULT}; {p.count}]" if is_long(p) else DEFAULT
 
 
 def raw(x: Member) -> str:
     """The type of its number, or of its bytes."""
-    named = x.parameter.operation.named
+    named = x.parameter.named
     return inner(named) if named else x.type
 
 
@@ -332,6 +310,6 @@ def reserved(p: m.Parameter) -> str:
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
 
-def is_long(op: m.Operation) -> bool:
+def is_long(p: m.Parameter) -> bool:
     """Is it an array that is too long for the traits of Rust and serde?"""
-    return isinstance(op, m.ArrayOp) and op.vector is None and (op.count or 0) > 32
+    return p.kind == "array" and p.vector is None and (p.count or 0) > 32

@@ -11,7 +11,7 @@ from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import GivenValues, SampleValues, title_of
 
-from .names import Record, constant, home, path, variant
+from .names import constant, home, path, variant
 from .records import Constructor, Records
 
 WIDTH = 84
@@ -64,7 +64,7 @@ class _Program:
         self.uses.add(words.partition("::")[0])
         return words
 
-    def name(self, thing: m.Type | Record) -> str:
+    def name(self, thing: m.Type | m.Record) -> str:
         return self.item(path(thing, "").removeprefix("crate::"))
 
     def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
@@ -78,10 +78,10 @@ class _Program:
             lines += ['println!("{response:?}");'] if asks else []
         return lines
 
-    def arguments(self, way: Constructor, values: dict[str, Literal], record: Record) -> list[Expression]:
+    def arguments(self, way: Constructor, values: dict[str, Literal], record: m.Record) -> list[Expression]:
         return [self.value(values[x.parameter.name], record) for x in way.given]
 
-    def value(self, x: Literal, record: Record) -> Expression:
+    def value(self, x: Literal, record: m.Record) -> Expression:
         match x:
             case literals.Decimal():
                 return x.text
@@ -112,13 +112,13 @@ class _Program:
     def fixed(self, text: str) -> Expression:
         return Brackets(f"{self.item('Text')}(", [f'*b"{text}"'], ")")
 
-    def alternative(self, x: literals.Alternative, record: Record) -> Expression:
+    def alternative(self, x: literals.Alternative, record: m.Record) -> Expression:
         name = self.item(f"{home(record)}::{self.records.union(x.union, home(record)).name}")
         assert x.case is not None
         one = f"{name}::{variant(x.case.tag.name)}"
         return Brackets(f"{one}(", [self.inner(x.value, record)], ")") if x.value else one
 
-    def inner(self, x: Literal, record: Record) -> Expression:
+    def inner(self, x: Literal, record: m.Record) -> Expression:
         """Constructors take a `bool`, everything else holds a `Bool`."""
         if isinstance(x, literals.Truth):
             return f"{self.item('Bool')}({x.byte})"

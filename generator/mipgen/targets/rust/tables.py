@@ -33,11 +33,6 @@ def option(value: object | None) -> str:
     return "None" if value is None else f"Some({value})"
 
 
-def octets(op: m.ConstantOp) -> list[int]:
-    """The bytes of a constant."""
-    return list(op.value.to_bytes(op.size, "big", signed=op.value < 0))
-
-
 @dataclass(frozen=True, slots=True)
 class Group:
     """The fields of a family."""
@@ -62,7 +57,7 @@ def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
     """Those that types hold: whatever does not follow from others."""
     return tuple(
         Described(
-            p.name, p.element.elements if isinstance(p.element, m.Vector) else (), p.units, p.frame,
+            p.name, p.elements, p.units, p.frame,
             described(_inside(p)),
         )
         for p in parameters
@@ -73,7 +68,7 @@ def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
 def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
     if isinstance(p.element, m.Struct):
         return p.element.parameters
-    return (c.parameter for c in p.cases if c.parameter)
+    return p.alternatives
 
 
 def sets(numbers: Sequence[int], separator: str) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 from mipgen import model as m
 from mipgen.emit import package
 from mipgen.emit.target import File, Target
+from mipgen.lower import extent
 
 from . import names, rows, texts
 from .names import identifiers
@@ -26,7 +27,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": "0x{:02X}".format,
         "qualified": texts.qualified,
         "plain": names.plain,
-        "rows": rows.rows,
+        "units": rows.units,
+        "item_size": extent.element,
         "place": rows.place,
         "types": rows.types,
         "structs": rows.structs,

@@ -39,8 +39,8 @@ def examples(model: m.Model) -> list[str]:
     for f in model.fields:
         for p in f.parameters:
             path = filter_name(field_filter(f), p.name)
-            if isinstance(p.element, m.Vector) and f.role == m.DATA and p.length is None:
-                found.setdefault("vector", f"{path}.{p.element.elements[0]} > 0.5")
+            if p.vector and f.role == m.DATA:
+                found.setdefault("vector", f"{path}.{p.elements[0]} > 0.5")
             elif isinstance(p.element, m.Bitfield) and f.role == m.DATA and p.element.bits[0].width == 1:
                 found.setdefault("bit", f"{path}.{p.element.bits[0].name} == 1")
             elif p.selector:
@@ -79,12 +79,12 @@ def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | N
 
 def members(union: m.Parameter) -> tuple[m.Parameter, ...]:
     """The alternatives of a union that have data; several cases may share one."""
-    return tuple({(p.name, p.element, p.length): p for p in (c.parameter for c in union.cases) if p}.values())
+    return tuple({(p.name, p.element, p.length): p for p in union.alternatives}.values())
 
 
 def _leaf(p: m.Parameter) -> bool:
     """Do its values have the name? The name of a vector, a structure or a union applies to all of its parts."""
-    return not isinstance(p.element, (m.Vector, m.Struct)) and not p.cases
+    return not (p.elements or p.item.struct or p.cases)
 
 
 def _filter(name: str, what: str, position: m.Position | None) -> Identifier:

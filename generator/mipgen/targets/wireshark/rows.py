@@ -1,64 +1,19 @@
-"""Rows of the tables that the dissector interprets: one for each operation, with what its parameter says."""
+"""What the tables that the dissector interprets hold besides the model: units, types, and where bits are."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.lower import extent
 
 from . import texts
 
-Record = m.Field | m.Struct
 Named = m.Enum | m.Bitfield
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One operation. A template has one branch per `kind` and takes what it needs."""
-
-    kind: str
-    name: str
-    op: m.Operation
-    parameter: m.Parameter | None  # None: an item of an array
-    record: Record | None
-    type: Named | None = None
-    item: Row | None = None
-    size: int = 0  # of one item of an array
-    body: tuple[Row, ...] = ()
-    cases: tuple[tuple[m.Case, Row | None], ...] = ()
-
-    @property
-    def units(self) -> tuple[str, ...]:
-        """What is shown after values; nothing after plain numbers."""
-        found = self.parameter.units if self.parameter else ()
-        return tuple("" if unit == "1" else unit for unit in found) if set(found) - {"1"} else ()
-
-    @property
-    def readings(self) -> tuple[m.Variant, ...]:
-        return tuple(v for v in self.parameter.variants if v.type is not None) if self.parameter else ()
-
-
-def rows(record: Record) -> list[Row]:
-    return list(_rows(record.operations, record))
-
-
-def _rows(operations: tuple[m.Operation, ...], record: Record) -> Iterator[Row]:
-    parameters = {p.name: p for p in record.parameters}
-    for op in operations:
-        if isinstance(op, m.GroupOp):
-            yield Row("group", "", op, None, record, body=tuple(_rows(op.body, record)))
-        else:
-            yield _row(op, parameters[op.member], record)
-
-
-def _row(op: m.ValueOp, p: m.Parameter | None, record: Record | None) -> Row:
-    row = Row(op.kind, op.member, op, p, record, op.named)
-    if isinstance(op, m.ArrayOp):
-        return replace(row, item=_row(op.item, None, None), size=extent.element(op))
-    cases = ((c, _row(c.operation, c.parameter, record) if c.operation else None) for c in (p.cases if p else ()))
-    return replace(row, cases=tuple(cases))
+def units(p: m.Parameter) -> tuple[str, ...]:
+    """What is shown after values; nothing after plain numbers."""
+    return tuple("" if unit == "1" else unit for unit in p.units) if set(p.units) - {"1"} else ()
 
 
 # --------------------------------------------------------------------------- bits
@@ -105,4 +60,4 @@ def types(model: m.Model) -> list[Named]:
 
 def structs(model: m.Model) -> list[m.Struct]:
     """Every structure, those that others hold before these."""
-    return [t for t in model.all_types if isinstance(t, m.Struct)]
+    return m.structs(model.all_types)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mipgen import model as m
 from mipgen.facts import describe
-
-Record = m.Field | m.Struct
 
 #: What the tree shows itself, or does not help to read a packet.
 _LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional", "note", "uncertain")
@@ -19,13 +19,13 @@ def string(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 
-def octets(value: int, size: int) -> str:
-    """A number as a Lua string of its bytes.
+def octets(values: Iterable[int]) -> str:
+    """Bytes as a Lua string.
 
-    >>> octets(6254, 2)
+    >>> octets(b"\\x18n")
     '"\\\\24\\\\110"'
     """
-    return '"' + "".join(f"\\{byte}" for byte in value.to_bytes(size, "big")) + '"'
+    return '"' + "".join(f"\\{byte}" for byte in values) + '"'
 
 
 def qualified(t: m.Type) -> str:
@@ -37,7 +37,7 @@ def field_doc(f: m.Field, model: m.Model) -> str:
     return _plain(describe.prose(f.description, model))
 
 
-def parameter_doc(p: m.Parameter, record: Record, model: m.Model) -> str:
+def parameter_doc(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
     return " ".join(filter(None, (_plain(describe.prose(p.description, model)), *(_plain(f.sentence) for f in facts))))
 
