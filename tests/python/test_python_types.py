@@ -69,7 +69,7 @@ def pyright(folder: Path, files: Sequence[Path]) -> list[tuple[str, int, str]]:
     venv.create(folder / "env", symlinks=True)
     python = folder / "env/bin/python"
     (packages,) = (folder / "env/lib").glob("python3*/site-packages")
-    (packages / "installed.pth").write_text(f"{REAL}\n{sysconfig.get_path('purelib')}\n")
+    (packages / "installed.pth").write_text(f"{REAL}\n{ROOT / 'tools'}\n{sysconfig.get_path('purelib')}\n")
     settings = {"include": [str(f) for f in files], "typeCheckingMode": "standard", "pythonPlatform": "All"}
     (folder / "pyrightconfig.json").write_text(json.dumps(settings))
     command = [sys.executable, "-m", "basedpyright", "--outputjson", "--project", folder, "--pythonpath", python]
