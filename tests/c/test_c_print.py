@@ -16,7 +16,7 @@ from c_build import HERE, SANITIZE, SANITIZED, archive, compiled
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import drawn
-from support import BUILD, SPECS, all_fields, locked, model, set_of
+from support import BUILD, SPECS, all_fields, locked, model, set_of, small
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 ENOUGH = 1 << 17
@@ -266,7 +266,7 @@ def test_whole_numbers() -> None:
 # --------------------------------------------------------------------------- fields and packets
 
 
-@both
+@small("programs of the real C library")
 def test_every_example(spec: str) -> None:
     of = model(spec)
     packets = [e.packet for e in of.examples]
@@ -285,7 +285,7 @@ def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.
                 continue  # too long for a field
 
 
-@both
+@small("programs of the real C library")
 def test_every_field(spec: str) -> None:
     """With random values, on every device that gives some values of it a meaning, and with bytes behind it."""
     of = model(spec)
