@@ -64,13 +64,14 @@ def test_rust() -> None:
     """With the library that the driver is made of: to build it takes longest of all that `make test` does."""
     source = (ROOT / "generated/rust/examples/quickstart.rs").read_text("utf-8")
     assert source == block("rust")
-    built = Path(driver("rust", "real").command[0]).parents[2]
+    of = driver("rust", "real")
+    built = Path(of.command[0]).parents[2]
     folder = BUILD / "readme"
     manifest = (built / "Cargo.toml").read_text("utf-8").replace('"driver"', '"readme"')
-    manifest = re.sub('(?m)^path = .*$', f'path = "{ROOT}/generated/rust/examples/quickstart.rs"', manifest, count=1)
+    manifest = re.sub("(?m)^path = .*$", f'path = "{ROOT}/generated/rust/examples/quickstart.rs"', manifest, count=1)
     crates.write({"Cargo.toml": manifest.encode()}, folder)
-    command = ("run", "--release", "--offline", "--quiet", "--target-dir", built / "target")
-    printed = run(need("cargo"), *command, "--manifest-path", folder / "Cargo.toml", **driver("rust", "real").environment)
+    command = (need("cargo"), "run", "--release", "--offline", "--quiet", "--target-dir", built / "target")
+    printed = run(*command, "--manifest-path", folder / "Cargo.toml", **of.environment)
     assert printed == "8 bytes to send\n0.2445 g along x\n"
 
 

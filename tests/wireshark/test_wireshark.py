@@ -203,7 +203,7 @@ def test_filters_say_what_they_are_for(spec: str) -> None:
     of = model(spec)
     rows = [line.split("\t") for line in shark(spec).run("-G", "fields").splitlines()]
     docs = {row[2]: row[7] for row in rows if row[0] == "F" and row[4] == "mip_protocol" and len(row) > 7}
-    for f, o in ((f, o) for f in all_fields(of) for o in f.occurrences):
+    for f, o in [(g, o) for g in all_fields(of) for o in g.occurrences]:
         for p in f.parameters:
             if p.length is None and p.name != f.name and "`" not in p.description:
                 text = docs[f"mip.{o.set_name}.{f.name}.{p.name}"]
