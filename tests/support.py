@@ -375,7 +375,7 @@ PATIENCE = 60
 def simulated(*arguments: str) -> Iterator[str]:
     """Runs a virtual device, and says where it is."""
     command = [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", *arguments]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None

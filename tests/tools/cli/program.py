@@ -23,7 +23,6 @@ PATIENCE = 30.0  # seconds until a test gives up; none waits so long
 ENVIRONMENT = {
     **{k: v for k, v in os.environ.items() if not k.startswith("PYTHON")},
     "PYTHONPATH": PYTHONPATH,
-    "PYTHONDONTWRITEBYTECODE": "1",
     "COLUMNS": "100",
 }
 
