@@ -20,7 +20,10 @@ help: ## print this help
 
 # ----------------------------------------------------------------- environment
 
-# Two stamps, so that `make generate` installs no more than it needs.
+# A stamp for each lock, so that nothing installs more than it needs. Modules are compiled when they are imported: to
+# compile all of them takes as long as the rest, and most are never used.
+PIP_INSTALL := $(RUN) -m pip install --quiet --disable-pip-version-check --no-compile --require-hashes -r
+
 $(VENV)/bin/python:
 	@command -v $(PYTHON) >/dev/null 2>&1 || { echo "make: $(PYTHON) is missing; install Python 3.10 or later (Debian: apt-get install python3 python3-venv), or name it: make PYTHON=..." >&2; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10))' || { echo "make: $(PYTHON) is too old; Python 3.10 or later is needed: make PYTHON=..." >&2; exit 1; }
@@ -30,12 +33,17 @@ $(VENV)/bin/python:
 
 $(VENV)/generator.stamp: requirements.txt | $(VENV)/bin/python
 	@echo "installing what the generator needs"
-	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
+	@$(PIP_INSTALL) requirements.txt
 	@touch $@
 
 $(VENV)/development.stamp: requirements-dev.txt | $(VENV)/generator.stamp
 	@echo "installing what tests and checks need"
-	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.txt
+	@$(PIP_INSTALL) requirements-dev.txt
+	@touch $@
+
+$(VENV)/all.stamp: requirements-all.txt | $(VENV)/development.stamp
+	@echo "installing what long tests and measurements need"
+	@$(PIP_INSTALL) requirements-all.txt
 	@touch $@
 
 # For all Pythons alike: what the oldest one needs is in the lock too. Folders of this machine have no place in it.
@@ -50,6 +58,7 @@ lock: ## pin the newest versions of the Python tools
 	@$(BUILD)/lock/bin/python -m pip install --quiet pip-tools
 	@$(PIP_COMPILE) -o requirements.txt pyproject.toml
 	@$(PIP_COMPILE) -o requirements-dev.txt requirements-dev.in
+	@$(PIP_COMPILE) -o requirements-all.txt requirements-all.in
 
 # ----------------------------------------------------------------- what it is for
 
@@ -78,12 +87,12 @@ test: tools $(VENV)/development.stamp ## run the tests of all languages that nee
 	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
 
 .PHONY: test-all
-test-all: tools-all test ## these, and those that take long, or need other compilers, browsers and Pythons
+test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
 	@$(PYTEST) -m heavy $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz $(VENV)/development.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
 	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
 
@@ -151,7 +160,7 @@ docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
 
 .PHONY: bench
-bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
+bench: tools $(VENV)/all.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)
 
 .PHONY: conformance-driver

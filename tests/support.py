@@ -140,6 +140,12 @@ def heavy(what: str) -> pytest.MarkDecorator:
     return pytest.mark.heavy(what)
 
 
+def small(what: str) -> pytest.MarkDecorator:
+    """Both specifications, for a test that would rarely find more in the real one: it is ten times as large, of the
+    same kinds of parts. `make test-all` runs it; all bytes of the real one are in the conformance suite."""
+    return pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy(what))])
+
+
 def another_python(version: str) -> str:
     """A Python of this version; a missing one is an error."""
     home = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
@@ -369,7 +375,7 @@ PATIENCE = 60
 def simulated(*arguments: str) -> Iterator[str]:
     """Runs a virtual device, and says where it is."""
     command = [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", *arguments]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None

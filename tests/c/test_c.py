@@ -17,7 +17,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets.c import direct, literals, members, names
-from support import ROOT, SPECS, heavy, model, need, sent
+from support import ROOT, SPECS, heavy, model, need, sent, small
 
 COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
 CPP = pytest.param("g++", marks=heavy("g++"))
@@ -284,7 +284,7 @@ static struct mip_field random_field(size_t size, uint8_t set, uint8_t descripto
 """
 
 
-@both
+@small("programs of the real C library")
 @compilers
 def test_every_direct_decoder(compiler: str, spec: str, tmp_path: Path) -> None:
     of = model(spec)
@@ -334,7 +334,7 @@ def test_shapes_that_are_rare(tmp_path: Path) -> None:
     run(tmp_path / "shapes")
 
 
-@both
+@small("programs of the real C library")
 def test_every_constructor(spec: str, tmp_path: Path) -> None:
     """Builds the shortest form that the reference builds from the same values."""
     of, body = model(spec), []
@@ -403,7 +403,7 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
                     )
 
 
-@both
+@small("programs of the real C library")
 @compilers
 def test_every_bit(compiler: str, spec: str, tmp_path: Path) -> None:
     of = model(spec)
@@ -493,7 +493,7 @@ def device_checks(d: m.Device) -> Iterator[str]:
         yield f"CHECK({name}.ack_codes[{i}] == {code});"
 
 
-@both
+@small("programs of the real C library")
 def test_every_row_of_the_tables(spec: str, tmp_path: Path) -> None:
     """Units, readings, links and device profiles, each against the specification."""
     of = model(spec)
@@ -554,7 +554,7 @@ def packet_sets(f: m.Field) -> list[tuple[int, m.Occurrence]]:
     return [(s, next((o for o in f.occurrences if o.set == s), f.occurrences[0])) for s in f.sets]
 
 
-@both
+@small("programs of the real C library")
 def test_every_field_in_each_of_its_sets(spec: str, tmp_path: Path) -> None:
     """Decode and encode, by the table and directly, take it in these sets alone, under its key and its name there."""
     of = model(spec)

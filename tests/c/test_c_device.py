@@ -15,8 +15,8 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
 from spec_defaults import filled as filled_in
-from support import PATIENCE, SPECS, heavy, model, need, simulated
-from test_c import both, build, constructed, given, record, written
+from support import PATIENCE, SPECS, heavy, model, need, simulated, small
+from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
 
@@ -147,7 +147,7 @@ def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
             yield call.name, filled(f, call, given_values, arguments, wanted)
 
 
-@both
+@small("programs of the real C library")
 def test_every_call(spec: str, tmp_path: Path) -> None:
     """Sends what the reference encodes from the same values, and gives the response that the device sends."""
     of = model(spec)

@@ -108,7 +108,7 @@ class Client:
         while self.buffer:
             b = self.buffer
             size = b[3] + 6 if len(b) > 3 else 6
-            false = not b"ue".startswith(b[:2]) or (len(b) > 2 and b[2] == 0)
+            false = not b"ue".startswith(b[:2]) or (len(b) > 2 and b[2] in m.NO_SETS)
             if not false and len(b) < size:
                 return
             if false or codec.checksum(b[: size - 2]) != b[size - 2 : size]:
@@ -213,7 +213,7 @@ def decoded(response: m.Field, data: bytes) -> dict[str, Any]:
 def whole(data: bytes) -> bool:
     """Does it begin with a packet?"""
     size = data[3] + 6 if len(data) > 3 else 6
-    begins = data[:2] == b"ue" and len(data) >= size and data[2] != 0
+    begins = data[:2] == b"ue" and len(data) >= size and data[2] not in m.NO_SETS
     return begins and codec.checksum(data[: size - 2]) == data[size - 2 : size]
 
 

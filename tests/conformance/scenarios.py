@@ -447,6 +447,12 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         [w.send(plain), receive(LONG, w.data), time(TIMEOUT)],
         "sent 0; received 1; timed_out 0",
     )
+    for number in m.NO_SETS:
+        yield (
+            f"nothing waits for the rest of a packet of set {number}, which there is not",
+            [w.send(plain), receive(b"ue" + bytes([number, 0xFF]), w.data), END],
+            "sent 0; received 1; end [0] 4",
+        )
     yield (
         "nothing is late, so nothing is given up",
         [w.send(plain), receive(LONG, w.data), time(TIMEOUT - 1)],

@@ -135,7 +135,8 @@ def test_differences(page: browser.Page, site: Path) -> None:
     titles = [device(GX5).title, device(CV7).title]
     assert all(sorted(found[2:]) == sorted(titles) for found in columns(page)[:-1])
     page.run("[...document.querySelectorAll('form label')].find((l) => l.textContent.includes('difference')).click()")
-    differing = [f.full_name for f in commands() if expected(device(GX5), f) != expected(device(CV7), f)]
+    said = {d: [expected(device(d), f, f.set) for f in commands()] for d in (GX5, CV7)}
+    differing = [f.full_name for f, one, other in zip(commands(), said[GX5], said[CV7], strict=True) if one != other]
     assert 0 < len(differing) < len(commands()) and shown(page) == differing
     address = page.run("location.search")
     assert address == f"?devices={GX5}%2C{CV7}&differences="

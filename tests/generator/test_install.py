@@ -59,7 +59,7 @@ def use(mipgen: Path, folder: Path) -> None:
     assert run(mipgen, "validate", cwd=folder).startswith("2 sets: ")
     assert "python " in run(mipgen, "generate", cwd=folder)
     assert "generated is up to date" in run(mipgen, "check", cwd=folder)
-    assert (folder / "generated/python/mip_protocol/tools.py").is_file()
+    assert (folder / "generated/python/my_device_protocol/tools.py").is_file()
     run(mipgen, "generate", "--spec", INVENTED, "--out", folder / "out", cwd=folder)
     assert tree(folder / "out") == tree(GOLDEN)
 

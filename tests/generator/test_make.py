@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -161,12 +162,15 @@ def test_every_target_of_make_says_what_it_is_for(machine: Path) -> None:
 # --------------------------------------------------------------------------- locks
 
 
+LOCKS = ("requirements.txt", "requirements-dev.txt", "requirements-all.txt")
+
+
 def pinned(name: str) -> dict[str, str]:
     text = (ROOT / name).read_text("utf-8")
     return {canonicalize_name(n): v for n, v in re.findall(r"^([\w.-]+)==(\S+)", text, re.M)}
 
 
-@pytest.mark.parametrize("name", ["requirements.txt", "requirements-dev.txt"])
+@pytest.mark.parametrize("name", LOCKS)
 def test_locks_are_of_no_machine(name: str) -> None:
     """Pins and hashes alone: no folder, no address."""
     for line in (ROOT / name).read_text("utf-8").splitlines():
@@ -183,6 +187,7 @@ def test_locks_hold_what_the_package_asks_for() -> None:
         assert need.specifier.contains(lock[canonicalize_name(need.name)]), need
 
 
-def test_both_locks_agree() -> None:
-    """One environment is made from both."""
-    assert pinned("requirements.txt").items() <= pinned("requirements-dev.txt").items()
+def test_locks_agree() -> None:
+    """One environment is made from all."""
+    for small, large in pairwise(LOCKS):
+        assert pinned(small).items() <= pinned(large).items()

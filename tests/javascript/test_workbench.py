@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from mipgen.targets.markdown.tools import TOOLS
-from support import ROOT, SPECS, heavy, need, tree
+from support import ROOT, SPECS, heavy, need, small, tree
 from workbench import BUILD, workbench
 
 SOURCES = ROOT / "tools/workbench"
@@ -24,7 +24,7 @@ def build(*arguments: str | Path, script: Path = BUILD) -> subprocess.CompletedP
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
-@specs
+@small("pages of the real workbench")
 @with_node
 def test_unit(spec: str) -> None:
     environment = {"FOLDER": str(SPECS[spec][1] / "javascript"), "WORKBENCH": str(workbench(spec))}

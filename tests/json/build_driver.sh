@@ -3,4 +3,4 @@
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
 generated=$(CDPATH= cd -- "$1" && pwd)
-echo "env PYTHONDONTWRITEBYTECODE=1 ${PYTHON:-python3} $here/interpreter.py $generated/mip.json"
+echo "${PYTHON:-python3} $here/interpreter.py $generated/mip.json"

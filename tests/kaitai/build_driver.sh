@@ -30,7 +30,7 @@ if [ "$(cat "$build/$language.stamp" 2>/dev/null)" != "$stamp" ]; then
 fi
 
 case $language in
-python) echo "env PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 ${PYTHON:-python3} $here/driver.py $build/python/mip.json" ;;
+python) echo "env PYTHONPATH=$build/python ${PYTHON:-python3} $here/driver.py $build/python/mip.json" ;;
 javascript) echo "env KAITAI_MODULES=$modules node $here/driver.cjs $build/javascript" ;;
 *) echo "build_driver.sh: KAITAI_LANGUAGE must be python or javascript, not $language" >&2; exit 1 ;;
 esac

@@ -86,8 +86,11 @@ class Walk {
         }
         if (size < 8) return value;
         const right = kind === "u" ? raw.readBigUInt64BE() : raw.readBigInt64BE();
-        // Number() rounds once; the run-time library adds two halves, and rounds once too.
-        check(value === Number(right), attribute.id);
+        // Number() rounds once; the run-time library adds two halves, and rounds once too. Its negative numbers are
+        // too large by 2^32 if the upper bit of the lower half is 0 (kaitai_struct_javascript_runtime#16).
+        const [upper, lower] = [raw.readInt32BE(0), raw.readInt32BE(4)];
+        const read = kind === "s" && upper < 0 ? -(2 ** 32 * ~upper + ~lower) - 1 : Number(right);
+        check(value === read, attribute.id);
         return right;
     }
 }

@@ -95,7 +95,7 @@ def test_awkward_names_and_layouts(language: str, tmp_path: Path) -> None:
     (spec / "sets/awkward.yaml").write_text(filled(COMMANDS), "utf-8")
     assert cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "kaitai"]) == 0
     of, chance = load_model(spec), random.Random(6)
-    fields = [f for f in of.fields if f.set_name == "macros_and_more"]
+    fields = [f for f in of.fields if f.family == "macros_and_more"]
     assert fields
     requests = []
     for f in fields:

@@ -3,4 +3,4 @@
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
 generated=$(CDPATH= cd -- "$1" && pwd)
-echo "env PYTHONPATH=$generated PYTHONDONTWRITEBYTECODE=1 ${PYTHON:-python3} $here/driver.py"
+echo "env PYTHONPATH=$generated ${PYTHON:-python3} $here/driver.py"

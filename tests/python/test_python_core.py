@@ -147,12 +147,12 @@ def test_bad_checksums_are_counted() -> None:
 
 
 def test_feed_takes_any_buffer(tmp_path: Path) -> None:
-    stream = b"noise" + bytes(mip.tools.Ping().packet()) * 300_000
+    stream = b"noise" + bytes(mip.tools.Ping().packet()) * 30_000
     (tmp_path / "log").write_bytes(stream)
     with open(tmp_path / "log", "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
         for buffer in (stream, bytearray(stream), memoryview(stream), mapped, array.array("B", stream)):
             parser = mip.parser.Parser()
-            assert len(parser.feed(buffer)) == 300_000 and parser.skipped == 5
+            assert len(parser.feed(buffer)) == 30_000 and parser.skipped == 5
     short = bytes(mip.tools.Ping().packet())
     parser = mip.parser.Parser()
     assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [

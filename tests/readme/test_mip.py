@@ -27,7 +27,7 @@ def commands(title: str) -> list[str]:
 
 
 def shell(command: str, folder: Path) -> str:
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     words = re.sub(r"(^|\| )mip ", rf"\1{shlex.quote(sys.executable)} -m mip_tools ", command)
     done = subprocess.run(["sh", "-c", words], cwd=folder, env=environment, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, ""), command
@@ -53,7 +53,7 @@ def test_from_a_device_to_a_table(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         other = str(free.getsockname()[1])
     words = shlex.split(first.replace(port, other).rstrip("& "))[1:]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     device = subprocess.Popen([sys.executable, "-m", "mip_tools", *words], env=environment, stdout=subprocess.PIPE)
     try:
         assert device.stdout is not None and device.stdout.readline()

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 import crates
-from support import ROOT, need
+import pytest
+from support import BUILD, ROOT, driver, need
 
 README = (ROOT / "README.md").read_text("utf-8")
 
@@ -58,13 +59,20 @@ def test_python() -> None:
     assert printed == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
-@crates.group
+@pytest.mark.xdist_group("values-real")  # where the driver is
 def test_rust() -> None:
+    """With the library that the driver is made of: to build it takes longest of all that `make test` does."""
     source = (ROOT / "generated/rust/examples/quickstart.rs").read_text("utf-8")
     assert source == block("rust")
-    target = '[[bin]]\nname = "readme"\npath = "readme.rs"\ntest = false\n'
-    folder = crates.project("real", "readme", target, files={"readme.rs": source.encode()})
-    assert crates.passes(folder, "run", "--offline", "--quiet") == "8 bytes to send\n0.2445 g along x\n"
+    of = driver("rust", "real")
+    built = Path(of.command[0]).parents[2]
+    folder = BUILD / "readme"
+    manifest = (built / "Cargo.toml").read_text("utf-8").replace('"driver"', '"readme"')
+    manifest = re.sub("(?m)^path = .*$", f'path = "{ROOT}/generated/rust/examples/quickstart.rs"', manifest, count=1)
+    crates.write({"Cargo.toml": manifest.encode()}, folder)
+    command = (need("cargo"), "run", "--release", "--offline", "--quiet", "--target-dir", built / "target")
+    printed = run(*command, "--manifest-path", folder / "Cargo.toml", **of.environment)
+    assert printed == "8 bytes to send\n0.2445 g along x\n"
 
 
 def test_every_target_of_make_is_there() -> None:
@@ -87,13 +95,13 @@ def test_the_field_that_it_shows_is_in_the_specification() -> None:
     assert shown.rstrip() in [f.rstrip() for f in fields]
 
 
-def mipgen(folder: Path, command: list[str]) -> str:
-    """A command of the README, in a folder that has the specification."""
+def mipgen(folder: Path, command: list[str], *targets: str) -> str:
+    """A command of the README, in a folder that has the specification; for these targets only."""
     if not (folder / "spec").exists():
         (folder / "spec").symlink_to(ROOT / "spec")
     assert command[0] == "mipgen"
     done = subprocess.run(
-        [sys.executable, "-m", "mipgen", *command[1:]],
+        [sys.executable, "-m", "mipgen", *command[1:], *(word for t in targets for word in ("--target", t))],
         capture_output=True, text=True, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")},
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -105,7 +113,7 @@ def test_own_fields(tmp_path: Path) -> None:
     file = tmp_path / "my_fields/sets/sensor.yaml"
     file.parent.mkdir(parents=True)
     file.write_text(block("yaml", "Add your own fields"))
-    mipgen(tmp_path, own)
+    mipgen(tmp_path, own, "c", "python")
     out = tmp_path / "with_my_fields"
     code = "from mip_protocol import sensor; print(sensor.AmbientLight.SET, sensor.AmbientLight.DESCRIPTOR)"
     assert run(sys.executable, "-c", code, PYTHONPATH=str(out / "python")) == "128 122\n"
@@ -115,12 +123,12 @@ def test_own_fields(tmp_path: Path) -> None:
 
 def test_a_part(tmp_path: Path) -> None:
     device, few = commands("Generate a part")
-    assert mipgen(tmp_path, device).startswith("a part of the specification; left out: ")
+    assert mipgen(tmp_path, device, "python").startswith("a part of the specification; left out: ")
     code = "from mip_protocol import registry; print(len(registry.all_types()))"
     whole = int(run(sys.executable, "-c", code, PYTHONPATH=str(ROOT / "generated/python")))
     part = int(run(sys.executable, "-c", code, PYTHONPATH=str(tmp_path / "for_gx5/python")))
     assert 0 < part < whole
-    mipgen(tmp_path, few)
+    mipgen(tmp_path, few, "c", "markdown")
     out = tmp_path / "few"
     assert sorted(p.stem for p in (out / "markdown/docs/sets").iterdir()) == ["3dm", "base"]
     run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*.c")))

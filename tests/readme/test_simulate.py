@@ -53,7 +53,7 @@ def shell(tmp_path: Path) -> Iterator[dict[str, str]]:
     for name in ("docs", "generated", "tools"):
         (tmp_path / name).symlink_to(ROOT / name)
     yield {
-        **os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1",
+        **os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": PYTHONPATH,
     }  # fmt: skip
 
 
@@ -155,7 +155,7 @@ def test_the_first_command(tmp_path: Path, shell: dict[str, str]) -> None:
 
 
 def python(code: str) -> str:
-    environment = {"PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {"PYTHONPATH": PYTHONPATH}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.returncode == 0, done.stderr
     return done.stdout

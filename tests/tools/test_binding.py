@@ -36,7 +36,7 @@ def python(*words: object, path: Path | None = None, **environment: str) -> subp
     clean = {k: v for k, v in os.environ.items() if k != "MIP_PACKAGE"}
     return subprocess.run(
         [sys.executable, *map(str, words)], capture_output=True, text=True, cwd=ROOT / "docs",
-        env={**clean, "PYTHONPATH": folders, "PYTHONDONTWRITEBYTECODE": "1", **environment},
+        env={**clean, "PYTHONPATH": folders, **environment},
     )  # fmt: skip
 
 

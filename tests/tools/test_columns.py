@@ -668,7 +668,7 @@ except ImportError as error:
     assert error.name == {missing!r}
     print(error)
 """
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.stdout.endswith(f"{missing} is missing; pip install {missing}\n"), done.stderr
 
@@ -948,7 +948,7 @@ def test_the_code_in_the_documentation_runs(page: str, tmp_path: Path) -> None:
     (tmp_path / "drive.bin").write_bytes(stream)
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text("utf-8"), re.DOTALL)
     code = "\n".join(b for b in blocks if "read_log" in b or "log.parts" in b)
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment)
     assert done.returncode == 0, done.stderr
     assert "sensor.scaled_accel 50 10" in done.stdout.replace("9.999", "10")
@@ -965,7 +965,7 @@ def test_the_example_with_dask_makes_the_same_rows_for_every_way_of_cutting(tmp_
     for name, data in contents.items():
         (logs / name).write_bytes(data)
     program = ROOT / "tools/examples/logs_to_parquet.py"
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
 
     def run(out: Path, part: str, *more: str) -> subprocess.CompletedProcess[str]:
         command = [sys.executable, str(program), str(logs), str(out), "--part", part, *more]

@@ -52,7 +52,7 @@ def outputs(device: m.Device) -> Iterator[Trial]:
         yield write(known["3dm.gpio_state"], pin=1, state=1)
 
 
-def prepare(session: Session, rate: float = 2, attempts: int = 1) -> None:
+def prepare(session: Session, rate: float = 1, attempts: int = 1) -> None:
     """Streams all data, whatever the commands before have done."""
     known = {s.field.full_name: s for s in commands(session.device)}
     if "base.resume" in known:

@@ -29,7 +29,7 @@ FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_pa
 def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
     """Runs a device, and says where it is."""
     command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None

@@ -103,7 +103,7 @@ def test_what_is_shown_is_what_the_bytes_say(spec: str, tmp_path: Path) -> None:
             elif kind.startswith("FT_INT"):
                 assert int(text) == int.from_bytes(bytes.fromhex(raw), "big", signed=True)
             seen[kind] += 1
-        path = f"mip.{f.set_name}.{f.name}"
+        path = f"mip.{f.name_in(set_of(f, of))}"
         for p in f.parameters:
             name = path if p.name == f.name else f"{path}.{p.name}"
             parts = [part for part in frame.iter("field") if part.get("name") == name]
@@ -203,10 +203,10 @@ def test_filters_say_what_they_are_for(spec: str) -> None:
     of = model(spec)
     rows = [line.split("\t") for line in shark(spec).run("-G", "fields").splitlines()]
     docs = {row[2]: row[7] for row in rows if row[0] == "F" and row[4] == "mip_protocol" and len(row) > 7}
-    for f in all_fields(of):
+    for f, o in [(g, o) for g in all_fields(of) for o in g.occurrences]:
         for p in f.parameters:
             if p.length is None and p.name != f.name and "`" not in p.description:
-                text = docs[f"mip.{f.set_name}.{f.name}.{p.name}"]
+                text = docs[f"mip.{o.set_name}.{f.name}.{p.name}"]
                 assert p.description in text
                 assert p.frame is None or "Frame: " in text
 

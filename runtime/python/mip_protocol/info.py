@@ -80,7 +80,7 @@ class _Members(Info):
     def _named(self) -> Iterator[tuple[str, str, int]]:
         """The name in the specification, that of the member, and its number."""
         for member, number in self.type.__members__.items():
-            yield self.spelled.get(member, member.lower()), member, int(number)
+            yield self.spelled.get(member) or str.lower(member), member, int(number)
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ static void packets(void) {
 static void sets(void) {
     for (unsigned set = 0; set < 256; set++) {
         uint8_t bytes[8] = {0x75, 0x65, (uint8_t)set, 2, 2, 1, 0, 0};
-        uint8_t buffer[MIP_MAX_PACKET];
+        uint8_t buffer[MIP_MAX_PACKET] = {0}; /* some compilers do not see that it is not read */
         const bool valid = set > 0 && set < 0xFF;
         const uint16_t sum = mip_checksum(bytes, 6);
         const uint8_t *data = bytes;

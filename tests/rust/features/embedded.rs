@@ -14,7 +14,7 @@ use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedError, Embe
 use mip_protocol::protocol::{AckCode, Acknowledge};
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, tools, Answer, AnyField, Client, CommandError, Field, Outcome, PacketBuilder,
+    measurements, tools, Answer, AnyField, Client, CommandError, OneSet, Outcome, PacketBuilder,
 };
 
 /// A line on which each packet is answered, byte by byte; while nothing comes, time goes on.

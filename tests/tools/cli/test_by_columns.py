@@ -14,7 +14,7 @@ from mip_tools.cli import clocks, csv_columns, info, info_columns, inputs, inter
 from mip_tools.columns import log as columns_log
 from mip_tools.columns import read_log, times
 from program import log, run
-from support import later
+from support import SEED, later, rounds
 
 np, pq = later("numpy"), later("pyarrow.parquet")
 
@@ -29,7 +29,7 @@ def damaged(seed: int) -> bytes:
     chosen = [*rng.sample([k for k in kinds if k[0] >= 0x80], 10), *rng.sample([k for k in kinds if k[0] < 0x80], 2)]
     chosen += [(0x80, sensor.ScaledAccel), (0x82, filter_data.EulerAngles)] * 5
     out, now = bytearray(), 100.0
-    for _ in range(900):
+    for _ in range(500):
         number, kind = rng.choice(chosen)
         now += rng.choice([0.01] * 30 + [0.5, 7.25, -3.0, 1e-9])
         builder = PacketBuilder(number)
@@ -70,7 +70,7 @@ STREAMS = {
     "empty": bytes,
     "noise": lambda: random.Random(1).randbytes(3000) + b"\x75\x65\x80\x20" * 20_000 + b"no end" * 20_000 + GOOD * 3,
     "sentences": lambda: (GOOD + WRONG) * 5000,
-    **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(4)},
+    **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(SEED, SEED + rounds(2, 20))},
 }
 
 

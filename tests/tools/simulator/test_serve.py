@@ -525,7 +525,7 @@ def program(*arguments: str | Path, **options: Any) -> Iterator[subprocess.Popen
     process = subprocess.Popen(
         [sys.executable, "-m", "mip_tools", *map(str, arguments)],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options,
-        env={**os.environ, "PYTHONPATH": PYTHONPATH, "PYTHONDONTWRITEBYTECODE": "1"},
+        env={**os.environ, "PYTHONPATH": PYTHONPATH},
     )  # fmt: skip
     try:
         yield process
