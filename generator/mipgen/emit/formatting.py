@@ -68,13 +68,15 @@ RUFF = Formatter(
 )
 
 
-def formatted(formatter: Formatter, made: Mapping[str, bytes], fresh: Collection[str]) -> dict[str, bytes]:
-    """The files of an output; of those that are fresh, the ones of the formatter's language are formatted."""
+def formatted(
+    formatter: Formatter, made: Mapping[str, bytes], fresh: Collection[str] | None = None
+) -> dict[str, bytes]:
+    """The files of an output, those of the formatter's language formatted; only what is fresh, if that is given."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
     files = [path for path in made if path.endswith(formatter.suffixes)]
-    keys = {path: cache.key(how, path, made[path]) for path in files if path in fresh}
+    keys = {path: cache.key(how, path, made[path]) for path in files if fresh is None or path in fresh}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}
     wanted = sorted(known.keys() - done.keys())

@@ -96,6 +96,10 @@ class Slices:
             place = self.places.setdefault(id(thing), part.number << _PART | len(part.objects) << _PLACE)
             if place >> _PART != part.number:
                 return str, (f"{cls.__name__} {getattr(thing, 'full_name', getattr(thing, 'name', ''))}",)
+            item = thing
+            while isinstance(item, m.Parameter) and item.several:
+                item = item.item  # it has the details of its parameter
+                self.places[id(item)] = place
             if has_details:
                 part.objects.append(thing)
                 part.details.append(_details(thing))

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Final, Literal
 
-from mipgen.base.reads import kept
 from mipgen.read.position import Position
 
 from .details import Detail, Prose
@@ -228,7 +227,7 @@ class Parameter:
         """Is it an array or a text whose length varies?"""
         return isinstance(self.length, str)
 
-    @kept
+    @cached_property
     def item(self) -> Parameter:
         """One item of an array or a vector, with the same meaning; of what is not several, it itself."""
         if not self.several:
