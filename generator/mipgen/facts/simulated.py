@@ -63,24 +63,24 @@ def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter 
     return parameter_at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
 
 
-def place(found: codec.Values, path: str, value: Any) -> None:
+def place(values: codec.Values, path: str, value: Any) -> None:
     name, _, rest = path.partition(".")
     if rest:
-        place(found.setdefault(name, {}), rest, value)
+        place(values.setdefault(name, {}), rest, value)
     else:
-        found[name] = value
+        values[name] = value
 
 
 def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
     """The flags of what is valid: all that values refer to."""
-    found: codec.Values = {}
+    values: codec.Values = {}
     by_name = {p.name: p for p in parameters}
     for p in parameters:
         for path in p.valid:
             flags, _, bit = path.partition(".")
             t = by_name[flags].element
             if not bit:
-                found[flags] = 1
+                values[flags] = 1
             elif isinstance(t, m.Bitfield) and t.scalar is not None:
-                found[flags] = found.get(flags, 0) | (mask(t, bit) or 0)
-    return found
+                values[flags] = values.get(flags, 0) | (mask(t, bit) or 0)
+    return values
