@@ -25,8 +25,8 @@ def shown(p: m.Parameter, given: Any, factor: float) -> Any:
 
 def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
     """A quantity in the unit of a parameter, with as many digits as a reader would write."""
-    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-    if not isinstance(given, (int, float)) or not isinstance(scalar, m.Scalar):
+    scalar = p.leaf.scalar
+    if not isinstance(given, (int, float)) or p.leaf.kind != "scalar" or p.leaf.named:
         return given
     if scalar.kind != "float":
         return round(given * factor)
