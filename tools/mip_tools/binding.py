@@ -71,16 +71,16 @@ def _importable(module: str) -> bool:
 
 def _in_folder(folder: Path) -> str:
     """The package that is this folder, or the only one in it; made importable."""
-    found = [p.parent for p in (folder / f"{_MARK}.py", *sorted(folder.glob(f"*/{_MARK}.py"))) if p.is_file()]
-    if len(found) != 1:
-        which = ", ".join(p.name for p in found)
-        said = f"several packages ({which}); name one" if found else "no package that mipgen has generated"
+    packages = [p.parent for p in (folder / f"{_MARK}.py", *sorted(folder.glob(f"*/{_MARK}.py"))) if p.is_file()]
+    if len(packages) != 1:
+        which = ", ".join(p.name for p in packages)
+        said = f"several packages ({which}); name one" if packages else "no package that mipgen has generated"
         raise NoBinding(f"{folder} contains {said}")
-    sys.path.insert(0, str(found[0].parent))
-    known = sys.modules.get(found[0].name)
-    if known is not None and str(found[0]) not in map(str, known.__path__):
-        raise NoBinding(f"{found[0]}: another package {found[0].name} is in use")
-    return found[0].name
+    sys.path.insert(0, str(packages[0].parent))
+    known = sys.modules.get(packages[0].name)
+    if known is not None and str(packages[0]) not in map(str, known.__path__):
+        raise NoBinding(f"{packages[0]}: another package {packages[0].name} is in use")
+    return packages[0].name
 
 
 def module(home: str) -> ModuleType:
@@ -98,8 +98,8 @@ def data(file: str) -> dict[str, Any]:
         text = resources.files(name()).joinpath(file).read_text("utf-8")
     except FileNotFoundError:
         raise NoBinding(f"{name()} lacks {file}; generate it again, with the mipgen of these tools") from None
-    found: dict[str, Any] = json.loads(text)
-    return found
+    values: dict[str, Any] = json.loads(text)
+    return values
 
 
 #: Module of a generated package -> what the tools use of it.
@@ -159,10 +159,10 @@ else:
 
     def __getattr__(what: str) -> Any:
         if what in _MODULES:
-            found = module(what)
+            value = module(what)
         elif what in _HOMES:
-            found = getattr(module(_HOMES[what]), what)
+            value = getattr(module(_HOMES[what]), what)
         else:
             raise AttributeError(f"module {__name__!r} has no attribute {what!r}")
-        globals()[what] = found
-        return found
+        globals()[what] = value
+        return value

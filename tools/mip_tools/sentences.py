@@ -28,7 +28,7 @@ class Sentences:
         self._line += data
         *lines, rest = self._line.split(b"\n")
         self._line = rest[-LONGEST:]
-        return [found for line in lines if (found := _sentence(line[-LONGEST:]))]
+        return [sentence for line in lines if (sentence := _sentence(line[-LONGEST:]))]
 
 
 def _sentence(line: bytearray) -> str | None:
@@ -36,15 +36,15 @@ def _sentence(line: bytearray) -> str | None:
     end = _END.search(line)
     if end is None:
         return None
-    wanted, found = int(end[1], 16), 0
+    wanted, checksum = int(end[1], 16), 0
     for at in range(end.start() - 1, -1, -1):
         byte = line[at]
         if not 0x20 <= byte <= 0x7E:
             return None
         # Texts may have such a character, too: the checksum tells.
-        if byte in b"$!" and found == wanted and at + 1 < end.start():
+        if byte in b"$!" and checksum == wanted and at + 1 < end.start():
             return line[at:].rstrip(b"\r").decode("ascii")
-        found ^= byte
+        checksum ^= byte
     return None
 
 

@@ -19,10 +19,10 @@ class Decoder(Scanner[Fields]):
     """
 
     def _scan(
-        self, data: bytes, found: list[Any], between: bool = False, final: bool = False
+        self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
         buffer = self._rest + data if self._rest else data
-        add, known, slowly = found.append, LAYOUTS.unchecked.get, LAYOUTS.decode_slowly
+        add, known, slowly = items.append, LAYOUTS.unchecked.get, LAYOUTS.decode_slowly
         at, length = 0, len(buffer)
         while True:
             layout = known(buffer[at : at + KEY])

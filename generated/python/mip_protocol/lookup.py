@@ -20,13 +20,13 @@ PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 def field(name: str) -> type[Field]:
     """The type of a field; see `registry.by_name`."""
-    found = _named(_checked(name, "a field"))
-    if len(found) == 1:
-        set, kind = FIELDS[found[0]][:2]
+    names = _named(_checked(name, "a field"))
+    if len(names) == 1:
+        set, kind = FIELDS[names[0]][:2]
         kind_: type[Field] = getattr(import_module(f".{set}", __package__), kind)
         return kind_
-    if found:
-        raise ambiguous(name, found)
+    if names:
+        raise ambiguous(name, names)
     raise unknown(name, "a field", FIELDS, _near(name))
 
 
@@ -49,12 +49,12 @@ def _named(name: str) -> tuple[str, ...]:
         return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
     words, prefix = _words(name), _words(PREFIX)
     words = words[len(prefix) :] if words[: len(prefix)] == prefix else words
-    found = _keys().get("".join(words)) or _keys().get(_key(words), ())
+    names = _keys().get("".join(words)) or _keys().get(_key(words), ())
     for role in ("command", "data"):
-        hinted = tuple(x for x in found if FIELDS[x][2] == role)
-        if len(found) > 1 and hinted and {role, f"{role}s"} & {*words}:
-            found = hinted
-    return found
+        hinted = tuple(x for x in names if FIELDS[x][2] == role)
+        if len(names) > 1 and hinted and {role, f"{role}s"} & {*words}:
+            names = hinted
+    return names
 
 
 def _words(name: str) -> list[str]:
@@ -77,7 +77,7 @@ def _key(words: list[str]) -> str:
 @cache
 def _keys() -> dict[str, tuple[str, ...]]:
     """Names of fields, without their insignificant parts -> full names."""
-    found: dict[str, dict[str, None]] = {}
+    keys: dict[str, dict[str, None]] = {}
     for full, (_, _, _, title, also) in FIELDS.items():
         family, _, own = full.partition(".")
         sets = ("", family, *(name for name, of in FAMILIES.items() if of == family))
@@ -85,8 +85,8 @@ def _keys() -> dict[str, tuple[str, ...]]:
             _words(f"{first} {called}") for called in (own, title, *also) for first in sets
         ):
             for key in ("".join(words), _key(words)):
-                found.setdefault(key, {})[full] = None
-    return {key: tuple(names) for key, names in found.items()}
+                keys.setdefault(key, {})[full] = None
+    return {key: tuple(names) for key, names in keys.items()}
 
 
 def _near(name: str) -> list[str]:
@@ -104,12 +104,12 @@ def set_number(name: str) -> int:
         number = int(name, 16) if name.lower().startswith("0x") else None
     except ValueError:
         number = None
-    found = [n for n, names in SETS.items() if n == number or name in names]
-    if not found:
+    numbers = [n for n, names in SETS.items() if n == number or name in names]
+    if not numbers:
         wanted = _joined(name).removeprefix(_joined(PREFIX))
-        found = [n for n, names in SETS.items() if wanted in map(_joined, names)]
-    if len(found) == 1:
-        return found[0]
+        numbers = [n for n, names in SETS.items() if wanted in map(_joined, names)]
+    if len(numbers) == 1:
+        return numbers[0]
     raise unknown(name, "a descriptor set", [names[0] for names in SETS.values()])
 
 
@@ -123,11 +123,11 @@ def device_id(name: str) -> str:
     from difflib import get_close_matches
 
     keys = _ends()
-    found = keys.get(wanted, ())
-    if len(found) == 1:
-        return found[0]
-    if found:
-        raise ambiguous(name, found)
+    ids = keys.get(wanted, ())
+    if len(ids) == 1:
+        return ids[0]
+    if ids:
+        raise ambiguous(name, ids)
     close = get_close_matches(wanted, keys, n=4)
     raise unknown(name, "a device", DEVICES, dict.fromkeys(id for k in close for id in keys[k]))
 
@@ -135,12 +135,12 @@ def device_id(name: str) -> str:
 @cache
 def _ends() -> dict[str, tuple[str, ...]]:
     """The last words of the names of devices ("gx5-45", "45") -> their ids."""
-    found: dict[str, dict[str, None]] = {}
+    ends: dict[str, dict[str, None]] = {}
     for id, names in DEVICES.items():
         for words in map(_words, (id, *names)):
             for first in range(1, len(words)):
-                found.setdefault("".join(words[first:]), {})[id] = None
-    return {end: tuple(ids) for end, ids in found.items()}
+                ends.setdefault("".join(words[first:]), {})[id] = None
+    return {end: tuple(ids) for end, ids in ends.items()}
 
 
 def unknown(
@@ -157,8 +157,8 @@ def unknown(
     return UnknownName("unknown_name", f"{text}; {hint}" if hint else text, close or few)
 
 
-def ambiguous(name: str, found: tuple[str, ...]) -> UnknownName:
-    return UnknownName("ambiguous", f"{name!r} may be {_either(found)}", found)
+def ambiguous(name: str, names: tuple[str, ...]) -> UnknownName:
+    return UnknownName("ambiguous", f"{name!r} may be {_either(names)}", names)
 
 
 def _either(names: tuple[str, ...]) -> str:

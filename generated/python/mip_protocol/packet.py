@@ -62,9 +62,9 @@ class Undecoded(RawField):
 
     @classmethod
     def because(cls, raw: RawField, error: DecodeError) -> Undecoded:
-        found = cls(*raw)
-        found._error = error
-        return found
+        undecoded = cls(*raw)
+        undecoded._error = error
+        return undecoded
 
     @property
     def error(self) -> DecodeError | None:
@@ -139,12 +139,12 @@ class Packet:
         return self._walk()[1]
 
     def _walk(self) -> tuple[tuple[RawField, ...], PacketError | None]:
-        found: list[RawField] = []
+        fields: list[RawField] = []
         try:
-            found.extend(self)
+            fields.extend(self)
         except PacketError as error:
-            return tuple(found), error
-        return tuple(found), None
+            return tuple(fields), error
+        return tuple(fields), None
 
     def __iter__(self) -> Iterator[RawField]:
         """The fields in order; raises PacketError of kind `field_length` at a malformed one."""

@@ -91,8 +91,10 @@ class Parameter:
         if low is not None and high is not None:
             return f"{low} to {high}"
         bounds = (("at least", low), ("greater than", self.above), ("at most", high))
-        found = [f"{word} {x}" for word, x in (*bounds, ("less than", self.below)) if x is not None]
-        return ", ".join(found)
+        limits = [
+            f"{word} {x}" for word, x in (*bounds, ("less than", self.below)) if x is not None
+        ]
+        return ", ".join(limits)
 
     @property
     def layout(self) -> str:
@@ -124,25 +126,25 @@ class Parameter:
 
     def of(self, holder: Described, device: str | None = None) -> Parameter:
         """The parameter for the other values of an object, and on a device, if one is given."""
-        found = self if device is None else self.on(device)
+        here = self if device is None else self.on(device)
         for by in {v.by: None for v in self.variants if v.by != "device"}:
             changes = self._changes(by, getattr(holder, by))
-            found = replace(found, **changes) if changes else found
-        return found
+            here = replace(here, **changes) if changes else here
+        return here
 
     def _changes(self, by: str, key: object) -> dict[str, Any]:
-        found: dict[str, Any] = {}
+        changes: dict[str, Any] = {}
         for v in self._that_hold(by, key):
-            found |= {} if v.member else v.changes
-        return found
+            changes |= {} if v.member else v.changes
+        return changes
 
     def inside(self, holder: Described, device: str | None = None) -> dict[str, dict[str, Any]]:
         """For a structure: what differs for its members there, by attribute."""
-        found: dict[str, dict[str, Any]] = {}
+        members: dict[str, dict[str, Any]] = {}
         for by in {v.by: None for v in self.variants if v.member}:
             for v in self._that_hold(by, device if by == "device" else getattr(holder, by)):
-                found[v.member] = found.get(v.member, {}) | v.changes if v.member else {}
-        return found
+                members[v.member] = members.get(v.member, {}) | v.changes if v.member else {}
+        return members
 
     def _that_hold(self, by: str, key: object) -> Iterator[Variant]:
         return (v for v in self.variants if v.by == by and key in v.keys)

@@ -78,11 +78,11 @@ def names() -> tuple[str, ...]:
 
 def all_types() -> list[tuple[int, type[Field]]]:
     """Every (set, type) of the specification, in order."""
-    found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
+    types: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
     for number in MODULES:
         for descriptor in _fields(number):
-            found += [(number, t) for t in _in_set(number, descriptor)]
-    return found
+            types += [(number, t) for t in _in_set(number, descriptor)]
+    return types
 
 
 def decode(raw: RawField) -> Field | None:

@@ -25,12 +25,12 @@ CERTAIN, PERHAPS = ("seen",), ("contents", "inferred")
 def audit(model: m.Model, folder: Path) -> list[Finding]:
     """All differences. Raises SpecError where a file cannot be read."""
     problems = Problems()
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for name, compare in ((MODELS, _models), (DEVICES, _devices)):
         root = read(folder / name, name, problems) if (folder / name).is_file() else None
-        found += compare(model, root) if root is not None else ()
+        findings += compare(model, root) if root is not None else ()
     problems.raise_if_any()
-    return sorted(set(found))
+    return sorted(set(findings))
 
 
 def _finding(place: m.Position, message: str) -> Finding:

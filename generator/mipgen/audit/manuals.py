@@ -36,13 +36,13 @@ class Finding:
 
 def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
     lines = path.read_text("utf-8", errors="replace").splitlines()
-    found = [
+    findings = [
         *_sections(model, manual, lines),
         *_headings(model, manual, lines),
         *_references(model, manual, lines),
         *_packets(model, manual, lines),
     ]
-    return sorted(Finding(path.name, line, message) for line, message in set(found))
+    return sorted(Finding(path.name, line, message) for line, message in set(findings))
 
 
 # --------------------------------------------------------------------------- sections

@@ -36,8 +36,8 @@ def audit(model: m.Model, folder: Path) -> list[Finding]:
     layouts, names = (read(folder / name, name, problems) for name in (LAYOUTS, NAMES))
     problems.raise_if_any()
     assert layouts is not None and names is not None
-    found = [*_Layouts(model, layouts).findings(), *_names(model, layouts, names)]
-    return sorted(set(found))
+    findings = [*_Layouts(model, layouts).findings(), *_names(model, layouts, names)]
+    return sorted(set(findings))
 
 
 def _finding(place: m.Position, message: str) -> Finding:
@@ -55,11 +55,11 @@ def _fields(model: m.Model, number: int, descriptor: int, role: str) -> list[m.F
 
 def _family(layouts: Node) -> dict[int, list[int]]:
     """The sets that each set of the facts applies to: itself, and those that repeat it."""
-    found: dict[int, list[int]] = {}
+    sets: dict[int, list[int]] = {}
     for node in layouts.get("vendor_sets") or ():
         origin = node.scalar("repeats", node["set"].value)
-        found.setdefault(origin, []).append(node["set"].value)
-    return found
+        sets.setdefault(origin, []).append(node["set"].value)
+    return sets
 
 
 # --------------------------------------------------------------------------- names
@@ -113,13 +113,13 @@ class _Layouts:
             return
         f = fields[0]
         asked = known[node["of"].value, m.COMMAND] if node["parameters"].value == "as_command" else node
-        found = [*self.about(f, node), *self.parameters(f, asked)]
+        messages = [*self.about(f, node), *self.parameters(f, asked)]
         erratum = self.erratum(f)
-        if erratum is not None and not found:
-            found = [f"no difference, but the erratum '{erratum}' tells of one"]
+        if erratum is not None and not messages:
+            messages = [f"no difference, but the erratum '{erratum}' tells of one"]
         elif erratum is not None:
-            found = []
-        for message in found:
+            messages = []
+        for message in messages:
             yield _finding(node.position, f"{_key(number, descriptor)} {f.name_in(number)}: {message}")
 
     def erratum(self, f: m.Field) -> str | None:
@@ -313,14 +313,14 @@ def _given_range(node: Node, above: bool) -> str:
 
 
 def _valid(p: m.Parameter, record: tuple[m.Parameter, ...]) -> str:
-    found = []
+    places = []
     for path in p.valid:
         flags, _, bit = path.partition(".")
         index = next(i for i, q in enumerate(record, 1) if q.name == flags)
         element = record[index - 1].element
         bits = {b.name: b.first for b in element.bits} if isinstance(element, m.Bitfield) else {}
-        found.append(f"parameter {index}" + (f", bit {bits[bit]}" if bit in bits else ""))
-    return "; ".join(found)
+        places.append(f"parameter {index}" + (f", bit {bits[bit]}" if bit in bits else ""))
+    return "; ".join(places)
 
 
 def _given_valid(node: Node, record: list[Node]) -> str:

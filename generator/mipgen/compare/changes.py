@@ -157,10 +157,10 @@ def _texts(f: m.Field) -> tuple[object, ...]:
 def _wire(record: m.Field | m.Struct) -> tuple[object, ...]:
     """What is on the wire, without names."""
     order = {p.name: i for i, p in enumerate(record.parameters)}
-    found: list[object] = [_shape(p, order) for p in record.parameters]
+    forms: list[object] = [_shape(p, order) for p in record.parameters]
     if isinstance(record, m.Field):
-        found += [(f.value, record.required(f.value)) for f in record.functions] or [record.required()]
-    return tuple(found)
+        forms += [(f.value, record.required(f.value)) for f in record.functions] or [record.required()]
+    return tuple(forms)
 
 
 def _shape(p: m.Parameter, order: dict[str, int]) -> tuple[object, ...]:

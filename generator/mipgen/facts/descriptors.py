@@ -33,5 +33,4 @@ def hexadecimal(p: m.Parameter, value: int) -> str:
     >>> hexadecimal(p, 0x1F)
     '0x001F'
     """
-    size = p.element.size if isinstance(p.element, m.Scalar) else 1
-    return f"0x{value:0{2 * size}X}"
+    return f"0x{value:0{2 * p.size}X}"

@@ -11,23 +11,23 @@ from .texts import Fact, Text, device_ref, fact, joined, prose
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
     """The facts about a device besides its description, its fields, and what differs there."""
-    found: list[Fact] = []
+    facts: list[Fact] = []
     if d.also:
-        found.append(fact("also", joined([(name,) for name in d.also]), "Also called {}."))
+        facts.append(fact("also", joined([(name,) for name in d.also]), "Also called {}."))
     if d.generation is not None:
-        found.append(fact("generation", (str(d.generation),), "Generation {}."))
+        facts.append(fact("generation", (str(d.generation),), "Generation {}."))
     if d.model_number is not None:
-        found.append(fact("model_number", (str(d.model_number),), "Model number {}."))
+        facts.append(fact("model_number", (str(d.model_number),), "Model number {}."))
     other = model.device(d.like) if d.like else None
     if other is not None:
-        found.append(fact("like", (device_ref(other),), "Like the {}, except as stated here."))
+        facts.append(fact("like", (device_ref(other),), "Like the {}, except as stated here."))
     manual = next((x for x in model.protocol.manuals if x.id == d.manual), None)
     known = (f"{manual.title}, {manual.document}",) if manual else ()
-    found.append(fact("manual", known, "Manual: {}." if manual else "No manual is known."))
-    found += [
+    facts.append(fact("manual", known, "Manual: {}." if manual else "No manual is known."))
+    facts += [
         fact("incomplete", prose(text.rstrip("."), model), "This profile is incomplete: {}.") for text in d.incomplete
     ]
-    return found + uncertain(d, model)
+    return facts + uncertain(d, model)
 
 
 def lengths(manual: m.Manual, model: m.Model) -> Text:

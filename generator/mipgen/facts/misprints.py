@@ -8,18 +8,18 @@ from mipgen import model as m
 def differences(e: m.Example) -> list[str]:
     """How the bytes of an example in the manual differ from the correct ones."""
     right = e.packet[4:-2] if e.role == "field" else e.packet
-    found = []
+    sentences = []
     if e.string is not None:
         digits = "".join(e.string.split())
         if len(digits) % 2:
-            found.append(f"string has an odd number of digits, {len(digits)}")
+            sentences.append(f"string has an odd number of digits, {len(digits)}")
         elif bytes.fromhex(digits) != right:
-            found.append(f"string {_where(tuple(bytes.fromhex(digits)), right)}")
+            sentences.append(f"string {_where(tuple(bytes.fromhex(digits)), right)}")
     if e.table is not None and (
         len(e.table) != len(right) or any(a is not None and a != b for a, b in zip(e.table, right, strict=False))
     ):
-        found.append(f"table {_where(e.table, right)}")
-    return found
+        sentences.append(f"table {_where(e.table, right)}")
+    return sentences
 
 
 def _where(printed: tuple[int | None, ...], right: bytes) -> str:

@@ -15,27 +15,27 @@ from .variants import variants
 def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """The facts about a parameter, or the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
-    found: list[Fact] = []
+    facts: list[Fact] = []
     if p.deprecated:
-        found.append(fact("deprecated", (), "Deprecated."))
+        facts.append(fact("deprecated", (), "Deprecated."))
     if p.constant is not None:
-        found.append(fact("constant", (numeral(p, p.constant),), "Always {}."))
+        facts.append(fact("constant", (numeral(p, p.constant),), "Always {}."))
     if p.reserved is not None:
         sent = not isinstance(record, m.Field) or record.role == m.COMMAND
         value = (str(p.reserved),) if sent else ()
-        found.append(fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
+        facts.append(fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
     if p.counts:
-        found.append(fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
+        facts.append(fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
     if p.tag:
-        found.append(fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
+        facts.append(fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
     if p.fields_of:
-        found.append(fact("fields_of", (_owner(p, beside, record, model),), "Refers to fields of {}."))
-    found += measures(p, p, model)
+        facts.append(fact("fields_of", (_owner(p, beside, record, model),), "Refers to fields of {}."))
+    facts += measures(p, p, model)
     if p.valid:
-        found.append(validity(p.valid, p, record))
-    found += _presence(p, record)
-    found += [said for _, said in variants(p, record, model)]
-    return [*found, *remarks(p, model)]
+        facts.append(validity(p.valid, p, record))
+    facts += _presence(p, record)
+    facts += [said for _, said in variants(p, record, model)]
+    return [*facts, *remarks(p, model)]
 
 
 def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, model: m.Model) -> str | Ref:

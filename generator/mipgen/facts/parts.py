@@ -23,12 +23,12 @@ def type(t: m.Type, model: m.Model) -> list[Fact]:
 
 def bits(b: m.Bits, model: m.Model) -> list[Fact]:
     place = bits_place(b)
-    found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
+    facts = [Fact("place", (place,), (f"{place.capitalize()}.",))]
     if b.enum is not None:
-        found.append(fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
+        facts.append(fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
     if b.alias:
-        found.append(fact("alias", (), "Overlaps other bits."))
-    return found + uncertain(b, model)
+        facts.append(fact("alias", (), "Overlaps other bits."))
+    return facts + uncertain(b, model)
 
 
 def value(v: m.EnumValue, model: m.Model) -> list[Fact]:

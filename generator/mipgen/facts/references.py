@@ -67,13 +67,13 @@ class _Names:
             if _NAME.fullmatch(name):
                 self.name(name, node.position)
         plain = _CODE.sub("", node.value)
-        for found in DESCRIPTOR.finditer(plain):
-            known = [f"`{f.full_name}`" for f in self.fields(found)]
+        for match in DESCRIPTOR.finditer(plain):
+            known = [f"`{f.full_name}`" for f in self.fields(match)]
             remedy = f"write {' or '.join(known)}" if known else "no field has this one, so say it in words"
-            self.problem(node.position, f"a text names a field, not its descriptor {found[0]}; {remedy}")
-        for found in _BARE.finditer(plain):
-            if "_" in found[0] or self.known(found[0]):
-                self.problem(node.position, f"'{found[0]}' is a name; put it in backticks: `{found[0]}`")
+            self.problem(node.position, f"a text names a field, not its descriptor {match[0]}; {remedy}")
+        for match in _BARE.finditer(plain):
+            if "_" in match[0] or self.known(match[0]):
+                self.problem(node.position, f"'{match[0]}' is a name; put it in backticks: `{match[0]}`")
 
         for title in self.titled(plain):
             names = " or ".join(f"`{name}`" for name in self.titles[title.lower()])
@@ -82,22 +82,22 @@ class _Names:
     def titled(self, text: str) -> Iterator[str]:
         """Commands that are named by their titles, as "the device reset command" or "the reply to device reset"."""
         lower = text.lower()
-        for found in _COMMAND.finditer(text) if "command" in lower else ():  # most texts have none: this is slow
-            words = found[1].split()
+        for match in _COMMAND.finditer(text) if "command" in lower else ():  # most texts have none: this is slow
+            words = match[1].split()
             tails = (" ".join(words[at:]) for at in range(len(words)))
             yield from islice((x for x in tails if x.lower() in self.titles), 1)
-        for found in _REPLY.finditer(text) if " to " in lower or " of " in lower else ():
-            words = [word.rstrip(".,;:") for word in found[1].split()]
+        for match in _REPLY.finditer(text) if " to " in lower or " of " in lower else ():
+            words = [word.rstrip(".,;:") for word in match[1].split()]
             heads = (" ".join(words[:end]) for end in range(len(words), 0, -1))
             yield from islice((x for x in heads if x.lower() in self.titles), 1)
 
     def quotation(self, node: Node, erratum: Node) -> None:
         """Descriptors that do not exist may be quoted where an erratum says that they do not."""
         claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
-        for found in DESCRIPTOR.finditer(node.value):
-            subject = f"0x{found['set'].upper()},0x{found['descriptor'].upper()}"
-            if subject not in claims and not self.fields(found):
-                self.problem(node.position, f'no field has {found[0]}; claim it: claims: [reference: "{subject}"]')
+        for match in DESCRIPTOR.finditer(node.value):
+            subject = f"0x{match['set'].upper()},0x{match['descriptor'].upper()}"
+            if subject not in claims and not self.fields(match):
+                self.problem(node.position, f'no field has {match[0]}; claim it: claims: [reference: "{subject}"]')
 
     def name(self, name: str, place: m.Position) -> None:
         if self.known(name):
@@ -111,8 +111,8 @@ class _Names:
 
     # ----------------------------------------------------------------------- what there is
 
-    def fields(self, found: re.Match[str]) -> tuple[m.Field, ...]:
-        return self.model.candidates(int(found["set"], 16), int(found["descriptor"], 16))
+    def fields(self, match: re.Match[str]) -> tuple[m.Field, ...]:
+        return self.model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
 
     def known(self, name: str) -> bool:
         """Is it the name of a field or a type, or of a descriptor without a layout?"""
@@ -121,12 +121,12 @@ class _Names:
     @kept
     def titles(self) -> dict[str, list[str]]:
         """The titles of commands, and their names in words -> full names."""
-        found: dict[str, list[str]] = {}
+        names: dict[str, list[str]] = {}
         for f in self.model.fields:
             if f.role == m.COMMAND:
                 for words in {f.title.lower(), *(name.replace("_", " ") for name in (f.name, *f.also))}:
-                    found.setdefault(words, []).append(f.full_name)
-        return found
+                    names.setdefault(words, []).append(f.full_name)
+        return names
 
     @kept
     def full_names(self) -> set[str]:
@@ -140,12 +140,12 @@ class _Names:
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
         records += m.structs(types)
-        found = {q.name for r in records for p in r.parameters for q in (p, *p.alternatives)}
-        found |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
-        found |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
-        found |= {s.name for s in self.model.sets} | {x.name for x in self.model.families}
-        found |= {t.name for t in self.model.types}
-        return found | {w.symbol for w in protocol.frames} | {d.name for d in self.model.devices}
+        names = {q.name for r in records for p in r.parameters for q in (p, *p.alternatives)}
+        names |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
+        names |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
+        names |= {s.name for s in self.model.sets} | {x.name for x in self.model.families}
+        names |= {t.name for t in self.model.types}
+        return names | {w.symbol for w in protocol.frames} | {d.name for d in self.model.devices}
 
 
 def _texts(node: Node) -> Iterator[Node]:

@@ -33,45 +33,45 @@ class SampleValues:
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
         """The same without the function, and with those that are optional."""
-        found = self.values(f, call)
+        sample = self.values(f, call)
         if call.optional:
             asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
-            found = Filled(asked, self._stated(f) | found, []).values()
-        return {name: value for name, value in found.items() if name != "function" or not f.selector}
+            sample = Filled(asked, self._stated(f) | sample, []).values()
+        return {name: value for name, value in sample.items() if name != "function" or not f.selector}
 
     def made_up(self, f: m.Field, call: m.Call) -> list[str]:
         """The parameters among these, and members of their structures, whose values nothing states."""
-        found: list[str] = []
-        self._made(f, call, found)
-        return found
+        paths: list[str] = []
+        self._made(f, call, paths)
+        return paths
 
     def _made(self, f: m.Field, call: m.Call, made_up: list[str]) -> codec.Values:
-        found: codec.Values = {"function": call.function.value} if call.function else {}
-        printed = self._printed.get(f.full_name, {}).get(found.get("function"), {})
+        chosen: codec.Values = {"function": call.function.value} if call.function else {}
+        printed = self._printed.get(f.full_name, {}).get(chosen.get("function"), {})
         needed = [p for p in call.required if p.constant is None]
         if needed and all(p.name in printed for p in needed):
             tags = {q.tag for q in needed}  # what a union holds depends on them
             own = {p.name: p.typical for p in needed if p.typical is not None and p.name not in tags}
-            values = found | {p.name: printed[p.name] for p in needed} | own
+            values = chosen | {p.name: printed[p.name] for p in needed} | own
             return values | {p.name: len(values[p.counts]) for p in needed if p.counts is not None}
-        return found | Filled(tuple(needed), self._stated(f), made_up).values()
+        return chosen | Filled(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
         """What is known of its values one by one, in the form of the codec; those of structures may lack members."""
         by_name = {p.name: p for p in f.parameters}
-        found: codec.Values = {}
+        stated: codec.Values = {}
         for name, value in self._initial.get(f.full_name, ()):
             if value is not None:
-                _state(found, by_name[name], value)
+                _state(stated, by_name[name], value)
         for p in f.parameters:
             if p.default is not None:
-                _state(found, p, p.default)
-        found |= self._asked(f)
-        found |= self._simulated(f)
+                _state(stated, p, p.default)
+        stated |= self._asked(f)
+        stated |= self._simulated(f)
         if f.role == m.COMMAND:
             for values in self._printed.get(f.full_name, {}).values():
-                found |= {key: value for key, value in values.items() if key != "function"}
-        return found | {p.name: p.typical for p in f.parameters if p.typical is not None}
+                stated |= {key: value for key, value in values.items() if key != "function"}
+        return stated | {p.name: p.typical for p in f.parameters if p.typical is not None}
 
     def _asked(self, f: m.Field) -> codec.Values:
         """Of a response: what its command sets, where it is answered with the same."""
@@ -80,23 +80,23 @@ class SampleValues:
             return {}
         same = {p.name: p for p in command.counted if p.constant is None}
         values = self.values(command, command.calls[0])
-        found = {p.name: values[p.name] for p in f.parameters if p.name in values and _same_form(p, same[p.name])}
-        return found | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
+        asked = {p.name: values[p.name] for p in f.parameters if p.name in values and _same_form(p, same[p.name])}
+        return asked | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
 
     def _simulated(self, f: m.Field) -> codec.Values:
         """What a simulated device shows, and flags that say that it is valid."""
         source = self._sources.get(f.full_name)
         if source is None:
             return {}
-        found: codec.Values = {}
+        simulated: codec.Values = {}
         for v in source:
             p = parameter_at(f.parameters, v.path)
             value = None if p is None else self._shown(v, p)
             if value is not None:
-                place(found, v.path, value)
+                place(simulated, v.path, value)
         for flags, bits in valid_flags(f.parameters).items():
-            found[flags] = found.get(flags, 0) | bits
-        return found
+            simulated[flags] = simulated.get(flags, 0) | bits
+        return simulated
 
     def _shown(self, v: Value, p: m.Parameter) -> Any:
         if v.names or v.bits:
@@ -152,23 +152,23 @@ class SampleValues:
     @kept
     def _initial(self) -> dict[str, list[tuple[str, Any]]]:
         """Command -> the values that a new device has."""
-        found: dict[str, list[tuple[str, Any]]] = {}
+        initial: dict[str, list[tuple[str, Any]]] = {}
         for b in self.model.simulation.behaviors:
-            found.setdefault(b.command.full_name, []).extend(b.initial)
-        return found
+            initial.setdefault(b.command.full_name, []).extend(b.initial)
+        return initial
 
     @kept
     def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
         """Field -> function -> the values of the first example that a reader would take for typical."""
-        found: dict[str, dict[int | None, codec.Values]] = {}
+        printed: dict[str, dict[int | None, codec.Values]] = {}
         for x in self.model.examples:
             for part in x.fields:
                 f = self.model.field(part.field) if part.field else None
                 if f is None or part.values is None or part.trailing or not plain(f.parameters, part.values):
                     continue
                 function: Any = part.values.get("function") if f.selector else None
-                found.setdefault(f.full_name, {}).setdefault(function, part.values)
-        return found
+                printed.setdefault(f.full_name, {}).setdefault(function, part.values)
+        return printed
 
 
 @dataclass(frozen=True)
@@ -195,9 +195,9 @@ def _same_form(p: m.Parameter, q: m.Parameter) -> bool:
     return p.element == q.element and p.length == q.length and alike(p.cases, q.cases)
 
 
-def _state(found: codec.Values, p: m.Parameter, value: object) -> None:
+def _state(values: codec.Values, p: m.Parameter, value: object) -> None:
     """Adds a default, unless it is in words."""
     try:
-        found[p.name] = codec.canonical(p, lists(value), p.name)
+        values[p.name] = codec.canonical(p, lists(value), p.name)
     except ValueError:
         pass

@@ -25,8 +25,8 @@ def shown(p: m.Parameter, given: Any, factor: float) -> Any:
 
 def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
     """A quantity in the unit of a parameter, with as many digits as a reader would write."""
-    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-    if not isinstance(given, (int, float)) or not isinstance(scalar, m.Scalar):
+    scalar = p.leaf.scalar
+    if not isinstance(given, (int, float)) or p.leaf.kind != "scalar" or p.leaf.named:
         return given
     if scalar.kind != "float":
         return round(given * factor)
@@ -63,24 +63,24 @@ def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter 
     return parameter_at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
 
 
-def place(found: codec.Values, path: str, value: Any) -> None:
+def place(values: codec.Values, path: str, value: Any) -> None:
     name, _, rest = path.partition(".")
     if rest:
-        place(found.setdefault(name, {}), rest, value)
+        place(values.setdefault(name, {}), rest, value)
     else:
-        found[name] = value
+        values[name] = value
 
 
 def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
     """The flags of what is valid: all that values refer to."""
-    found: codec.Values = {}
+    values: codec.Values = {}
     by_name = {p.name: p for p in parameters}
     for p in parameters:
         for path in p.valid:
             flags, _, bit = path.partition(".")
             t = by_name[flags].element
             if not bit:
-                found[flags] = 1
+                values[flags] = 1
             elif isinstance(t, m.Bitfield) and t.scalar is not None:
-                found[flags] = found.get(flags, 0) | (mask(t, bit) or 0)
-    return found
+                values[flags] = values.get(flags, 0) | (mask(t, bit) or 0)
+    return values

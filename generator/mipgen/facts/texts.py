@@ -87,22 +87,22 @@ def quotation(text: str, model: m.Model) -> Text:
     """A quotation of a manual, which names fields by their descriptors, as (0x0C,0x28)."""
 
     def described(match: re.Match[str]) -> Ref | None:
-        found = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
-        return Ref(found[0], match[0]) if found else None
+        fields = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
+        return Ref(fields[0], match[0]) if fields else None
 
     return _referring(text, DESCRIPTOR, described)
 
 
 def _referring(text: str, pattern: re.Pattern[str], refer: Callable[[re.Match[str]], Ref | None]) -> Text:
     """The text with references in place of what they are made of."""
-    found: list[str | Ref] = []
+    parts: list[str | Ref] = []
     at = 0
     for match in pattern.finditer(text):
         ref = refer(match)
         if ref is not None:
-            found += [text[at : match.start()], ref]
+            parts += [text[at : match.start()], ref]
             at = match.end()
-    return tuple(part for part in (*found, text[at:]) if part)
+    return tuple(part for part in (*parts, text[at:]) if part)
 
 
 def number(value: object) -> str:
@@ -134,10 +134,10 @@ def joined(items: Sequence[Text], last: str = "and") -> Text:
 
 
 def interleaved(items: Sequence[Text], between: str) -> Text:
-    found: list[str | Ref] = []
+    parts: list[str | Ref] = []
     for i, item in enumerate(items):
-        found += [between, *item] if i else item
-    return tuple(found)
+        parts += [between, *item] if i else item
+    return tuple(parts)
 
 
 def fact(topic: str, value: Text, sentence: str) -> Fact:
@@ -155,5 +155,5 @@ def device_ref(d: m.Device) -> Ref:
     return Ref(d, d.title)
 
 
-def functions(found: Iterable[m.Function]) -> Text:
-    return joined([(Ref(f, f.name),) for f in found])
+def functions(several: Iterable[m.Function]) -> Text:
+    return joined([(Ref(f, f.name),) for f in several])

@@ -20,12 +20,12 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
             groups.append([v])
         else:
             same.append(v)
-    found = []
+    facts = []
     for group in groups:
         said = difference(group[0], p, record, model)
         sentence = (*_condition(group, record, model), ": ", *said, ".")
-        found.append((tuple(group), Fact("variant", said, sentence)))
-    return found
+        facts.append((tuple(group), Fact("variant", said, sentence)))
+    return facts
 
 
 def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:

@@ -153,11 +153,11 @@ def words(model: m.Model, problems: Problems) -> None:
     folders = {PurePath(usage.position.file).parent for usage in vocabulary if usage.position}
     unusual = re.compile(rf"(?<![^_])({'|'.join(map(re.escape, usual))})(?![^_])")
     for name, place in _all_names(model) if usual else ():
-        for found in unusual.finditer(name):
+        for match in unusual.finditer(name):
             if place is not None and not any(PurePath(place.file).is_relative_to(folder) for folder in folders):
                 continue
-            right = usual[found[1]]
-            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")
+            right = usual[match[1]]
+            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{match[1]}'; write '{right}'")
 
 
 def package(model: m.Model, problems: Problems) -> None:

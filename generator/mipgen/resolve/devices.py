@@ -27,8 +27,8 @@ def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Type
     _unique(numbers, "two devices have the model number {}; correct one", problems)
     nodes = sorted(nodes, key=lambda node: str(node["device"].value))
     whole = inheritance.resolve(nodes, families, model, problems)
-    found = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
-    model = _with_variants(model, found)
+    variants = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
+    model = _with_variants(model, variants)
     made = tuple(_Device(node, model, types, problems).resolve() for node in whole)
     model = replace(model, devices=made)
     _check_layouts(model, problems)
@@ -77,10 +77,10 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
         yield f"{f.full_name}.{last}", variant(case, p, m.DEVICE, device, None, types.scope(f.family))
 
 
-def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Model:
+def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.Model:
     """The same fields, with these variants added to their parameters."""
     by_path: dict[str, list[m.Variant]] = {}
-    for path, v in found:
+    for path, v in variants:
         by_path.setdefault(path, []).append(v)
 
     concerned = {path.rpartition(".")[0] for path in by_path}
@@ -186,7 +186,7 @@ class _Device:
             yield group["fields"], group["evidence"].value
 
     def supports(self) -> tuple[m.Support, ...]:
-        found: dict[str, m.Support] = {}
+        supports: dict[str, m.Support] = {}
         functions, deprecated = self.functions(), self.node.get("deprecated")
         for node, evidence in self.listed():
             for set_name, entries in node.items():
@@ -200,19 +200,19 @@ class _Device:
                     f, full = known.get(entry.value), f"{set_name}.{entry.value}"
                     if f is None:
                         self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
-                    elif full in found:
+                    elif full in supports:
                         self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
                     else:
                         own = functions.get(full)
                         taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
                         instead = deprecated.scalar(full) if deprecated else None
-                        found[full] = m.Support(f, of.number, taken, evidence, instead)
+                        supports[full] = m.Support(f, of.number, taken, evidence, instead)
         for key in ("functions", "deprecated"):
             for full, _ in self.node[key].items() if key in self.node else ():
                 f = self.model.field(full)
-                if full not in found and not (key == "functions" and (f is None or not f.functions)):
+                if full not in supports and not (key == "functions" and (f is None or not f.functions)):
                     self.unsupported(key, full, full)
-        return tuple(sorted(found.values(), key=lambda s: (s.set, s.field.descriptor)))
+        return tuple(sorted(supports.values(), key=lambda s: (s.set, s.field.descriptor)))
 
     def unsupported(self, key: str, entry: str, field: str) -> None:
         known = self.model.field(field)
@@ -226,7 +226,7 @@ class _Device:
     def functions(self) -> dict[str, Node]:
         """Full name -> letters, where the device takes others than the definition says."""
         node = self.node.get("functions")
-        found = {}
+        stated = {}
         for name, letters in node.items() if node else ():
             assert node is not None
             field = self.model.field(name)
@@ -240,8 +240,8 @@ class _Device:
                 self.problems.add(
                     letters.position, f"'{name}' is not defined with the functions {more}; add them to its definition"
                 )
-            found[name] = letters
-        return found
+            stated[name] = letters
+        return stated
 
     # ----------------------------------------------------------------------- what differs
 

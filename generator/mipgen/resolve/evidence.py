@@ -26,17 +26,17 @@ ROLES = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
 
 
 def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple[m.Example, ...]:
-    found: dict[str, m.Example] = {}
+    examples: dict[str, m.Example] = {}
     for root in roots:
         for node in root["examples"]:
             name = node["id"].value
-            if name in found:
+            if name in examples:
                 problems.add(node["id"].position, f"two examples are called '{name}'; rename one")
                 continue
             example = _Example(node, model, problems).resolve()
             if example is not None:
-                found[name] = example
-    return tuple(found.values())
+                examples[name] = example
+    return tuple(examples.values())
 
 
 class Wrong(Exception):
@@ -85,8 +85,8 @@ class _Example:
         """The device that the example names, else the only one of its manual."""
         named = self.node.get("device")
         if named is None:
-            found = [d for d in self.model.devices if d.manual == manual]
-            return found[0] if len(found) == 1 else None
+            devices = [d for d in self.model.devices if d.manual == manual]
+            return devices[0] if len(devices) == 1 else None
         device = self.model.device(named.value)
         if device is None:
             near = nearest(named.value, [d.id for d in self.model.devices])
@@ -138,8 +138,8 @@ class _Example:
         """The descriptor set that an example without a packet names."""
         if "set" not in self.node:
             raise Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
-        found: int = self.node["set"].value
-        return found
+        number: int = self.node["set"].value
+        return number
 
     def computed(self) -> bytes:
         number = self.number("an example without bytes")
@@ -202,19 +202,19 @@ class _Example:
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
             raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet holds {there}")
-        found = []
+        fields = []
         for i, (descriptor, data) in enumerate(split):
             field = codec.choose(self.model.candidates(packet[2], descriptor), data)
             says = self.stated(stated[i], field, packet[2], descriptor, data) if stated else None
             if field is None:
-                found.append(m.ExampleField(None, descriptor, data, None, 0, None))
+                fields.append(m.ExampleField(None, descriptor, data, None, 0, None))
                 continue
             self.check_role(field, stated[i].position if stated else place)
             values, trailing = self.decoded(field, data, stated[i].position if stated else place)
             if says:
                 self.compare(field, values, says, stated[i])
-            found.append(m.ExampleField(field.name_in(packet[2]), descriptor, data, values, trailing, says))
-        return tuple(found)
+            fields.append(m.ExampleField(field.name_in(packet[2]), descriptor, data, values, trailing, says))
+        return tuple(fields)
 
     def decoded(self, field: m.Field, data: bytes, place: m.Position) -> tuple[codec.Values, int]:
         try:
@@ -243,8 +243,8 @@ class _Example:
             return None
         named = field_named(self.model, name, node.position)
         if field is None or name not in (field.name_in(number), field.full_name):
-            found = f"'{field.name_in(number)}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
-            raise Wrong(node.position, f"'{name}' is listed, but the packet holds {found}")
+            held = f"'{field.name_in(number)}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
+            raise Wrong(node.position, f"'{name}' is listed, but the packet holds {held}")
         return stated_values(named, values)
 
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
@@ -323,14 +323,14 @@ def with_counters(field: m.Field, values: codec.Values) -> codec.Values:
 
 
 def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Problems) -> tuple[m.Erratum, ...]:
-    found: dict[str, m.Erratum] = {}
+    errata: dict[str, m.Erratum] = {}
     for root in roots:
         for node in root["errata"]:
             name = node["id"].value
             manual, section = meaning.citation(node, manuals, problems.add)
-            if name in found:
+            if name in errata:
                 problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
-            found[name] = m.Erratum(
+            errata[name] = m.Erratum(
                 id=name,
                 manual=manual,
                 section=section,
@@ -342,12 +342,12 @@ def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Pro
                 named=tuple(dict.fromkeys(_CODE.findall(f"{node['right'].value}\n{node['reason'].value}"))),
                 position=node["id"].position,
             )
-    return tuple(sorted(found.values(), key=lambda e: e.id))
+    return tuple(sorted(errata.values(), key=lambda e: e.id))
 
 
 def _claims(node: Node) -> tuple[m.Claim, ...]:
-    found = []
+    claims = []
     for entry in node.get("claims") or ():
         for kind, subject in entry.items():
-            found.append(m.Claim(kind, subject.value, subject.position))  # type: ignore[arg-type]
-    return tuple(found)
+            claims.append(m.Claim(kind, subject.value, subject.position))  # type: ignore[arg-type]
+    return tuple(claims)

@@ -19,15 +19,15 @@ from .vocabulary import Vocabulary, sentences, sources
 
 def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: Problems) -> tuple[Guide, ...]:
     """The guides in the order of their files."""
-    samples, nodes, found = SampleValues(model), list(roots), dict[str, Guide]()
+    samples, nodes, guides = SampleValues(model), list(roots), dict[str, Guide]()
     for node in nodes:
         name = node["guide"].value
-        if name in found:
+        if name in guides:
             problems.add(node["guide"].position, f"two guides are called '{name}'; rename one")
-        found[name] = _Guide(node, model, samples, problems).resolve(words)
+        guides[name] = _Guide(node, model, samples, problems).resolve(words)
     for node in nodes:
-        _see(node, set(found), model, problems)
-    return tuple(found.values())
+        _see(node, set(guides), model, problems)
+    return tuple(guides.values())
 
 
 def _see(node: Node, guides: set[str], model: m.Model, problems: Problems) -> None:
@@ -65,13 +65,13 @@ class _Guide:
         )
 
     def sequence(self, node: Node) -> Sequence:
-        found = dict[str, m.Device]()
+        chosen = dict[str, m.Device]()
         for n in node["devices"]:
-            if n.value in found:
+            if n.value in chosen:
                 self.problems.add(n.position, f"'{n.value}' is listed twice; remove one")
             elif (d := self.device(n)) is not None:
-                found[n.value] = d
-        devices = tuple(found.values())
+                chosen[n.value] = d
+        devices = tuple(chosen.values())
         steps = tuple(s for n in node["steps"] if (s := self.step(n, devices)) is not None)
         return Sequence(node["title"].value, devices, steps, sentences(node, "notes"))
 
@@ -247,7 +247,7 @@ class _Guide:
 
     def those(self, node: Node, key: str, device: m.Device) -> tuple[m.Field, ...]:
         """The fields below a key, which the device must have."""
-        found = []
+        fields = []
         for entry in node.get(key) or ():
             try:
                 f = evidence.field_named(self.model, entry.value, entry.position)
@@ -255,8 +255,8 @@ class _Guide:
                 self.problems.add(wrong.place, str(wrong))
                 continue
             self.supported(f, None, (device,), entry.position)
-            found.append(f)
-        return tuple(found)
+            fields.append(f)
+        return tuple(fields)
 
 
 def _silent(f: m.Field, call: m.Call, values: codec.Values) -> bool:
@@ -273,11 +273,11 @@ def _lost(before: m.Device, after: m.Device) -> Iterator[str]:
 
 def _merged(typical: codec.Values, given: codec.Values) -> codec.Values:
     """Values in wire order; members of structures one by one."""
-    found = {**typical, **given}
+    merged = {**typical, **given}
     for name, value in given.items():
         if isinstance(value, dict) and isinstance(typical.get(name), dict) and value.keys() < typical[name].keys():
-            found[name] = _merged(typical[name], value)
-    return found
+            merged[name] = _merged(typical[name], value)
+    return merged
 
 
 def _listed(names: set[str]) -> str:

@@ -116,29 +116,29 @@ class _Heir:
 
     def lacked(self) -> set[str]:
         """The fields that the other has and this one has not."""
-        found = set()
+        names = set()
         known = {*_fields(self.parent.get("supports")), *_evident(self.parent)}
         for full, entry in _fields(self.own.get("lacks")).items():
             if full not in known:
                 near = nearest(full, known)
                 self.problems.add(entry.position, f"'{self.like}' does not support '{full}'{near}")
-            found.add(full)
-        return found
+            names.add(full)
+        return names
 
     def supports(self, lacked: set[str]) -> Node:
         """What the other supports and is not lacked, then what is added."""
-        found: dict[str, list[Node]] = {}
+        by_set: dict[str, list[Node]] = {}
         inherited = _fields(self.parent.get("supports"))
         added = _listed(self.own.get("supports"))
         for full, entry in added:
             self.check_new(full, entry, lacked, inherited)
         out = lacked | {full for full, _ in added}
         for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
-            found.setdefault(full.partition(".")[0], []).append(entry)
+            by_set.setdefault(full.partition(".")[0], []).append(entry)
         keys: dict[str, m.Position] = {}
         for node in (self.parent, self.own):
             keys |= node["supports"].keys if "supports" in node else {}
-        return self.mapped("supports", {name: self.listed(name, entries) for name, entries in found.items()}, keys)
+        return self.mapped("supports", {name: self.listed(name, entries) for name, entries in by_set.items()}, keys)
 
     def may_support(self, lacked: set[str], supports: Node) -> Node:
         """The same for support that is not certain; support that has become certain is not included."""
@@ -158,11 +158,11 @@ class _Heir:
 
     def names(self, supports: Node | None, may_support: Node | None) -> set[str]:
         """The fields that are supported, perhaps, with their responses; and their sets."""
-        found = set()
+        names = set()
         for full in (*_fields(supports), *(full for group in may_support or () for full in _fields(group["fields"]))):
             f = self.model.field(full)
-            found |= {full, full.partition(".")[0], *(r.full_name for r in (self.model.responses(f) if f else ()))}
-        return found
+            names |= {full, full.partition(".")[0], *(r.full_name for r in (self.model.responses(f) if f else ()))}
+        return names
 
     # ----------------------------------------------------------------------- the rest
 
@@ -170,23 +170,23 @@ class _Heir:
         """Statements about fields and sets that are still present, then those made here."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
-        found: dict[str, Node] = {}
+        nodes: dict[str, Node] = {}
         keys: dict[str, m.Position] = {}
         for name, node in inherited.items() if inherited else ():
             of = name.rpartition(".")[0] if key == "varies" else name
             if of not in gone and name not in without:
                 assert inherited is not None
-                found[name], keys[name] = node, inherited.keys[name]
-        return self.mapped(key, {**found, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
+                nodes[name], keys[name] = node, inherited.keys[name]
+        return self.mapped(key, {**nodes, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
 
     def named(self, key: str) -> Node:
         """The entries of both; one of the same name takes the place of the other's."""
-        found = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
-        for name in self.without(key, list(found)):
-            found.pop(name, None)
+        entries = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
+        for name in self.without(key, list(entries)):
+            entries.pop(name, None)
         own = list(self.own.get(key) or ())
         again = {entry["name"].value: entry for entry in own}
-        kept = [again.pop(name, entry) for name, entry in found.items()]
+        kept = [again.pop(name, entry) for name, entry in entries.items()]
         return self.listed(key, [*kept, *(x for x in own if x not in kept)])
 
     def without(self, key: str, known: list[str]) -> set[str]:
@@ -216,7 +216,7 @@ def _evident(node: Node) -> dict[str, Node]:
 
 def _left(groups: Node | None, out: set[str]) -> list[Node]:
     """The groups of fields that a profile may support, without some fields."""
-    found = []
+    left = []
     for group in groups or ():
         fields = {}
         for name, entries in group["fields"].items():
@@ -224,5 +224,5 @@ def _left(groups: Node | None, out: set[str]) -> list[Node]:
             if kept:
                 fields[name] = replace(entries, value=kept)
         if fields:
-            found.append(replace(group, value={**group.value, "fields": replace(group["fields"], value=fields)}))
-    return found
+            left.append(replace(group, value={**group.value, "fields": replace(group["fields"], value=fields)}))
+    return left

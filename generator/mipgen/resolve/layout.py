@@ -258,7 +258,7 @@ class Layout:
             self.vouch(self.whole)
         scope = self.types.scope(self.owner)
         self.done = [
-            replace(p, variants=found) if (found := variation.by_sibling(node, p, self.done, scope)) else p
+            replace(p, variants=variants) if (variants := variation.by_sibling(node, p, self.done, scope)) else p
             for node, p in zip(self.nodes, self.done, strict=True)
         ]
         self.check_size()

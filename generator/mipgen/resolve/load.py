@@ -54,7 +54,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
         simulated = simulation.resolve(roots["simulation"], roots["protocol"][0]["units"], model, problems)
         model = replace(model, simulation=simulated)
         model = replace(model, guides=guides.resolve(roots["guide"], model, types.vocabulary, problems))
-        references.check((root for found in roots.values() for root in found), model, problems)
+        references.check((root for several in roots.values() for root in several), model, problems)
     problems.raise_if_any()
     programs = sorted(p for p in (spec / "programs").glob("*") if p.is_file())
     return replace(model, programs=tuple((p.name, p.read_text("utf-8")) for p in programs))
@@ -89,10 +89,10 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
 
 
 def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
-    found: list[m.Function] = []
+    functions: list[m.Function] = []
     for name, n in node.items():
         letter, value = n["letter"], n["value"]
-        for other in found:
+        for other in functions:
             if other.letter == letter.value:
                 problems.add(letter.position, f"'{other.name}' already has the letter {letter.value}; choose another")
             if other.value == value.value:
@@ -100,7 +100,7 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
         like = n.get("like")
         if like is not None and like.value not in node:
             problems.add(like.position, f"unknown function '{like.value}'{nearest(like.value, node.value)}")
-        found.append(
+        functions.append(
             m.Function(
                 name,
                 letter.value,
@@ -112,7 +112,7 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
                 description=n["description"].value,
             )
         )
-    return tuple(sorted(found, key=lambda f: f.value))
+    return tuple(sorted(functions, key=lambda f: f.value))
 
 
 def _selector(functions: Iterable[m.Function]) -> m.Enum:
@@ -163,17 +163,17 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
 
 def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
     """The manuals in the order of their document numbers."""
-    found: dict[str, m.Manual] = {}
+    manuals: dict[str, m.Manual] = {}
     for node in nodes:
         name = node["manual"].value
-        if name in found:
+        if name in manuals:
             problems.add(node["manual"].position, f"the manual '{name}' is defined twice; rename one")
         sections = tuple(node["sections"].plain()) if "sections" in node else ()
-        found[name] = m.Manual(
+        manuals[name] = m.Manual(
             name, node["title"].value, node["document"].value, node["lengths"].value, sections,
             node.scalar("kind", "manual"),
         )  # fmt: skip
-    return sorted(found.values(), key=lambda x: (x.document, x.id))
+    return sorted(manuals.values(), key=lambda x: (x.document, x.id))
 
 
 def _clocks(node: Node | None) -> tuple[m.Clock, ...]:

@@ -61,17 +61,17 @@ def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) 
 
 
 def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
-    found: str | None = node.scalar("frame")
-    if found is not None and found not in known:
-        problem(node["frame"].position, unknown("frame", found, known, "protocol.yaml"))
-    return found
+    frame: str | None = node.scalar("frame")
+    if frame is not None and frame not in known:
+        problem(node["frame"].position, unknown("frame", frame, known, "protocol.yaml"))
+    return frame
 
 
 def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     """What a vector has in a frame, if not the elements of its type; matrices and quaternions have the same in all."""
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
-    found = frames.get(frame or "", ())
-    return found if len(found) == len(own) and found != own else ()
+    wanted = frames.get(frame or "", ())
+    return wanted if len(wanted) == len(own) and wanted != own else ()
 
 
 def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
@@ -96,7 +96,7 @@ def open_limits(
 ) -> tuple[Number | None, Number | None]:
     """What the value must be greater than, and less than."""
     scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-    found: dict[str, Number] = {}
+    bounds: dict[str, Number] = {}
     for key, closed in (("above", low), ("below", high)):
         if key not in node:
             continue
@@ -106,11 +106,11 @@ def open_limits(
         elif closed is not None:
             problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
         elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
-            found[key] = entry.value
-    above, below = found.get("above"), found.get("below")
+            bounds[key] = entry.value
+    above, below = bounds.get("above"), bounds.get("below")
     least, most = low if above is None else above, high if below is None else below
-    if found and least is not None and most is not None and least >= most:
-        problem(node.keys[min(found)], f"no number lies between the bounds of '{p.name}'; correct them")
+    if bounds and least is not None and most is not None and least >= most:
+        problem(node.keys[min(bounds)], f"no number lies between the bounds of '{p.name}'; correct them")
     return above, below
 
 
@@ -147,14 +147,14 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
 
 def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
     """The value to send for a reserved parameter."""
-    found: int | None = node.scalar("reserved")
-    if found is None:
+    value: int | None = node.scalar("reserved")
+    if value is None:
         return None
     if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed", "float")):
         problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a number, or an array of them")
         return None
     _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
-    return float(found) if p.element.kind == "float" else found
+    return float(value) if p.element.kind == "float" else value
 
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:

@@ -25,19 +25,19 @@ class Families:
     silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
 
     def resolve(self, nodes: list[Node]) -> tuple[m.Family, ...]:
-        found: dict[str, m.Family] = {}
+        families: dict[str, m.Family] = {}
         for node in sorted(nodes, key=_first):
             name = node["name"].value
-            if name in found:
+            if name in families:
                 self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
                 continue
-            found[name] = self.family(node)
+            families[name] = self.family(node)
         self.types.unused()
-        homes = {name: name for name in found}
-        for s in (s for x in found.values() for s in x.sets):
+        homes = {name: name for name in families}
+        for s in (s for x in families.values() for s in x.sets):
             if homes.setdefault(s.name, s.family) != s.family:
                 self.problems.add(s.position, f"two sets are called '{s.name}'; rename one")
-        return self.silenced(sorted(found.values(), key=lambda x: x.number))
+        return self.silenced(sorted(families.values(), key=lambda x: x.number))
 
     def family(self, node: Node) -> m.Family:
         name = node["name"].value
@@ -68,13 +68,13 @@ class Families:
             self.problems.add(node.keys["set"], "a family has 'sets' in place of 'set'; remove it")
         if "sets" not in node:
             return (self.set(node, node["set"].value, family, family, node.position),)
-        found: list[m.Set] = []
+        sets: list[m.Set] = []
         for name, entry in node["sets"].items():
             s = self.set(entry, entry["set"].value, name, family, node["sets"].keys[name])
-            found.append(s)
+            sets.append(s)
             if s.kind != "data":
                 self.problems.add(entry["set"].position, f"'{name}' is a {s.kind} set; only data sets share fields")
-        return tuple(sorted(found, key=lambda s: s.number))
+        return tuple(sorted(sets, key=lambda s: s.number))
 
     def set(self, node: Node, number: int, name: str, family: str, place: m.Position) -> m.Set:
         kind: m.Kind = "command" if number in m.COMMAND_SETS else "data" if number in m.DATA_SETS else "shared"
@@ -212,8 +212,10 @@ class Families:
 
     def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
         """Parameters of a command, and the values that they must have."""
-        found = [self.condition(name, node.keys[name], entry, command) for name, entry in node.items()] if node else []
-        return tuple(c for c in found if c is not None)
+        if node is None:
+            return ()
+        conditions = (self.condition(name, node.keys[name], entry, command) for name, entry in node.items())
+        return tuple(c for c in conditions if c is not None)
 
     def condition(self, name: str, place: m.Position, entry: Node, command: m.Field) -> m.Condition | None:
         parameter = next((p for p in command.parameters if p.name == name), None)
@@ -238,7 +240,7 @@ class Families:
     def silenced(self, families: list[m.Family]) -> tuple[m.Family, ...]:
         """The same families, with what keeps commands from being acknowledged: it may be a setting of any command."""
         commands = {f.full_name: f for x in families for f in x.fields if f.role == m.COMMAND}
-        found: dict[str, m.Field] = {}
+        changed: dict[str, m.Field] = {}
         for name, node in self.silences.items():
             own: list[m.Condition] = []
             others: list[m.Condition] = []
@@ -249,8 +251,8 @@ class Families:
                     self.problems.add(place, f"no command '{other}'{nearest(other, commands)}")
                 elif c := self.condition(parameter, place, entry, commands[other or name]):
                     (others if other else own).append(replace(c, command=other or None))
-            found[name] = replace(commands[name], silent_when=tuple(own), silenced_by=tuple(others))
-        return tuple(replace(x, fields=tuple(found.get(f.full_name, f) for f in x.fields)) for x in families)
+            changed[name] = replace(commands[name], silent_when=tuple(own), silenced_by=tuple(others))
+        return tuple(replace(x, fields=tuple(changed.get(f.full_name, f) for f in x.fields)) for x in families)
 
     def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
         """Every same_as names a response of this set; what does not is dropped once it is reported."""
@@ -265,20 +267,20 @@ class Families:
 
     def named(self, node: Node, kind: m.Kind) -> tuple[m.Named, ...]:
         """Descriptors without a layout."""
-        found: list[m.Named] = []
+        named: list[m.Named] = []
         for entry in node.get("named") or ():
             roles: list[m.Role] = [r for r in ROLES if r in entry]
             if len(roles) != 1 or (roles == [m.DATA]) != (kind != "command"):
                 wanted = "'command: 0x..' or 'response: 0x..'" if kind == "command" else "'data: 0x..'"
                 self.problems.add(entry.position, f"a named descriptor of a {kind} set has {wanted}")
                 continue
-            found.append(
+            named.append(
                 m.Named(
                     entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
                     sources(entry, self.types.vocabulary, self.problems), entry.position,
                 )
             )  # fmt: skip
-        return tuple(sorted(found, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
+        return tuple(sorted(named, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
 
 
 def _first(node: Node) -> int:
@@ -314,18 +316,18 @@ class _Places:
         for name, place in (*named, *((n.value, n.position) for n in node.get("only") or ())):
             if name not in known:
                 self.problems.add(place, f"the family has no set '{name}'{nearest(name, known)}")
-        found = tuple(
+        occurrences = tuple(
             self.occurrence(title, cited, s, listed.get(s.name), node)
             for s in self.sets
             if (s.name in only if only else s.name in listed or s.name in self.common)
         )
-        if not found:
+        if not occurrences:
             if {*listed, *only} - {*known}:
                 return self.first(title, cited, node)
             remedy = "list its sets in 'in', or give a set 'every_field'"
             self.problems.add(node.position, f"'{node['name'].value}' occurs in no set: {remedy}")
             return self.first(title, cited, node)
-        return found
+        return occurrences
 
     def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
         """The only set, or as a substitute, to find further problems, the first of several."""
@@ -345,6 +347,6 @@ class _Places:
     def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
         """What states the field itself; only if nothing does, what states all fields of a set."""
         own = node.get("in")
-        found = list(sources(node, self.types.vocabulary, self.problems))
-        found += [s for o in occurrences if own and o.set_name in own for s in o.sources]
-        return tuple(dict.fromkeys(found or [s for o in occurrences for s in o.sources]))
+        cited = list(sources(node, self.types.vocabulary, self.problems))
+        cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]
+        return tuple(dict.fromkeys(cited or [s for o in occurrences for s in o.sources]))

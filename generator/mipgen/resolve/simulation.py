@@ -30,8 +30,8 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
     values = _Values(model, {q.name: q for q in quantities}, factors, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
     sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
-    found = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
-    behaviors = [b for b in found if b is not None]
+    resolved = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
+    behaviors = [b for b in resolved if b is not None]
     known = {b.command.full_name for b in behaviors}
     others = (Behavior(f, answers=_layouts(f, model)) for f in model.fields if f.full_name not in known)
     behaviors += (b for b in others if b.answers)
@@ -66,18 +66,18 @@ def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[t
 def _quantity(name: str, node: Node, units: Node, problems: Problems) -> Quantity:
     elements = node.scalar("elements", 1)
     typical = node.get("typical")
-    found = typical.plain() if typical else None
-    if typical and elements > 1 and not (isinstance(found, list) and len(found) == elements):
+    value = typical.plain() if typical else None
+    if typical and elements > 1 and not (isinstance(value, list) and len(value) == elements):
         problems.add(typical.position, f"the typical value of '{name}' must be a list of {elements} numbers")
-        found = None
-    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, found)
+        value = None
+    return Quantity(name, _unit(node, units, problems), elements, node["description"].value, value)
 
 
 def _unit(node: Node, units: Node, problems: Problems) -> str | None:
-    found: str | None = node.scalar("unit")
-    if found is not None and found not in units:
-        problems.add(node["unit"].position, meaning.unknown_unit(found, units.value))
-    return found
+    unit: str | None = node.scalar("unit")
+    if unit is not None and unit not in units:
+        problems.add(node["unit"].position, meaning.unknown_unit(unit, units.value))
+    return unit
 
 
 def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, problems: Problems) -> m.Field | None:
@@ -106,13 +106,13 @@ class _Values:
         each = node.get(FOR_EACH)
         if each is not None:
             self.quantity(each)
-        found = []
+        values = []
         for path, n in node.items():
             p = None if path == FOR_EACH else self.parameter(f, path, node.keys[path])
             if p is not None:
-                found.append(self.value(path, n, p))
+                values.append(self.value(path, n, p))
         own = None if name == f.full_name else self.model.set_of(name)
-        return Source(f, own, each.value if each else "", tuple(found))
+        return Source(f, own, each.value if each else "", tuple(values))
 
     def quantity(self, node: Node) -> Quantity | None:
         found = self.quantities.get(node.value)
@@ -281,13 +281,13 @@ class _Commands:
         return numbers.get(node.value, 0)
 
     def translation(self, node: Node) -> tuple[tuple[int, int], ...]:
-        found = []
+        pairs = []
         for text, n in node.items():
             if not text.isdecimal():
                 self.problems.add(node.keys[text], f"'{text}' is not a number; write one")
                 continue
-            found.append((int(text), self.number(n)))
-        return tuple(found)
+            pairs.append((int(text), self.number(n)))
+        return tuple(pairs)
 
     def instance(self, node: Node) -> str:
         limits = {limit.name for d in self.model.devices for limit in d.limits}

@@ -88,14 +88,14 @@ def _meant(model: m.Model, word: str) -> list[str]:
     def plain(name: str) -> str:
         return "".join(c for c in name.casefold() if c.isalnum())
 
-    found = []
+    near = []
     for d in model.devices:
         names = [plain(name) for name in (d.id, d.title, *d.also)]
         if plain(word) in (*names, str(d.model_number)):
             return [d.id]
         if plain(word) and any(plain(word) in name for name in names):
-            found.append(d.id)
-    return found
+            near.append(d.id)
+    return near
 
 
 def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
@@ -104,18 +104,18 @@ def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
     """
     every = not (selection.sets or selection.fields)
     supported = {s.name for d in model.devices if d.id in selection.devices for s in d.supports}
-    found: dict[str, m.Field] = {}
+    asked: dict[str, m.Field] = {}
     for f in model.fields:
         names = {o: f.name_in(o.set) for o in f.occurrences}
         offered = [o for o in names if not selection.devices or f.role == m.RESPONSE or names[o] in supported]
         in_sets = [o for o in offered if f.role != m.RESPONSE and (every or o.set_name in selection.sets)]
         by_name = [o for o in offered if not {f.full_name, names[o]}.isdisjoint(selection.fields)]
         if in_sets or by_name:
-            found[f.full_name] = replace(f, occurrences=tuple(o for o in names if o in (*in_sets, *by_name)))
-    if any(f.role == m.DATA for f in found.values()):
+            asked[f.full_name] = replace(f, occurrences=tuple(o for o in names if o in (*in_sets, *by_name)))
+    if any(f.role == m.DATA for f in asked.values()):
         shared = (f for f in model.fields if f.everywhere)
-        found |= {f.full_name: f for f in shared if not selection.devices or f.full_name in supported}
-    return found
+        asked |= {f.full_name: f for f in shared if not selection.devices or f.full_name in supported}
+    return asked
 
 
 def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...]) -> dict[str, m.Field]:
@@ -123,17 +123,17 @@ def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...])
 
     Of several layouts of a response only those of the devices, if any are given.
     """
-    found: dict[str, m.Field] = {}
+    needed: dict[str, m.Field] = {}
     waiting = list(asked.values())
     while waiting:
         f = waiting.pop()
-        if f.full_name not in found:
-            found[f.full_name] = asked.get(f.full_name, f)
+        if f.full_name not in needed:
+            needed[f.full_name] = asked.get(f.full_name, f)
             layouts = [r for d in devices for r in model.answers(f, d)] if devices else model.responses(f)
             waiting += layouts
             waiting += model.commands(f) if f.role == m.RESPONSE else ()
             waiting += [s for c in f.silenced_by if (s := model.field(c.command or "")) is not None]
-    return found
+    return needed
 
 
 def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, ...]) -> m.Model:
@@ -174,9 +174,9 @@ def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, .
 
 def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
     """What remains of the guides; they name only each other."""
-    found = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
-    names = {g.name for g in found}
-    return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in found)
+    kept = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
+    names = {g.name for g in kept}
+    return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in kept)
 
 
 def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:

@@ -71,9 +71,9 @@ class Types:
                 self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; flatten it")
                 return None
             self._open.append(name)
-            found = self._resolve(name, where, node)
+            resolved = self._resolve(name, where, node)
             self._open.pop()
-            self._done[where, name] = found
+            self._done[where, name] = resolved
         return self._done[where, name]
 
     def _resolve(self, name: str, owner: str | None, node: Node) -> m.Type | None:
@@ -136,7 +136,7 @@ class Types:
         )
 
     def _bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
-        found = []
+        several = []
         for name, entry in node["bits"].items():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
                 self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
@@ -155,8 +155,8 @@ class Types:
             enum = self._enum_of(entry, owner)
             description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
             uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
-            found.append(m.Bits(name, low, high, description, alias, enum, uncertain, short, place))
-        return tuple(found)
+            several.append(m.Bits(name, low, high, description, alias, enum, uncertain, short, place))
+        return tuple(several)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
         """The enumeration of a number inside a bitfield."""

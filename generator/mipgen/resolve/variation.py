@@ -62,7 +62,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
     what = _concerned(spec, p, scope)
     if what is None:
         return ()
-    found = []
+    variants = []
     for key, case in spec["cases"].items():
         value = sibling.element.by_name(key)
         if value is None:
@@ -71,8 +71,8 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
         if case.scalar("valid") is not None:
             meaning.valid_bits(case, what, siblings.values(), scope.problem)
         one = variant(case, what, by.value, key, value.value if value else None, scope)
-        found.append(replace(one, member=spec.scalar("member", "")))
-    return tuple(found)
+        variants.append(replace(one, member=spec.scalar("member", "")))
+    return tuple(variants)
 
 
 def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
@@ -130,7 +130,7 @@ def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
 
 def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.EnumValue | m.Bits, ...]:
     """The values of an enumeration, or the bits of a bitfield, that there are."""
-    found: list[m.EnumValue | m.Bits] = []
+    parts: list[m.EnumValue | m.Bits] = []
     for part, kind, what in (("values", m.Enum, "an enumeration"), ("bits", m.Bitfield, "a bitfield")):
         if part not in node:
             continue
@@ -140,11 +140,11 @@ def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.En
         known = {x.name: x for x in (t.values if isinstance(t, m.Enum) else t.bits)}
         for entry in node[part]:
             if entry.value in known:
-                found.append(known[entry.value])
+                parts.append(known[entry.value])
             else:
                 near = nearest(entry.value, known)
                 problem(entry.position, f"'{t.name}' has no {part[:-1]} '{entry.value}'{near}")
-    return tuple(found)
+    return tuple(parts)
 
 
 def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | None:

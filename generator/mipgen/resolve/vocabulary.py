@@ -45,10 +45,10 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
 
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources") -> tuple[m.Source, ...]:
     """The `sources` of a node."""
-    found = []
+    cited = []
     for entry in node.get(key) or ():
         manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)
-        found.append(m.Source(manual, section, printed, place))
-    return tuple(found)
+        cited.append(m.Source(manual, section, printed, place))
+    return tuple(cited)

@@ -161,8 +161,8 @@ class Client:
         Call it when no bytes have arrived for a while. A packet that arrives slowly is kept.
         """
         events: list[Event] = []
-        while found := self._parser.look_behind_all():
-            events += self._events(found)
+        while items := self._parser.look_behind_all():
+            events += self._events(items)
         return events + self.poll(now)
 
     @property
@@ -182,17 +182,17 @@ class Client:
         """
         events: list[Event] = []
         while any(p.deadline <= now for p in self._pending):
-            found = self._parser.look_behind_all()
-            if not found:
+            items = self._parser.look_behind_all()
+            if not items:
                 break
-            events += self._events(found)
+            events += self._events(items)
         events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
         self._pending = [p for p in self._pending if p.deadline > now]
         return events
 
-    def _events(self, found: Iterable[Packet | bytes]) -> list[Event]:
+    def _events(self, items: Iterable[Packet | bytes]) -> list[Event]:
         events: list[Event] = []
-        for item in found:
+        for item in items:
             if isinstance(item, Packet):
                 events += self._taken(item)
             elif self._wants_skipped:
@@ -239,8 +239,8 @@ class Client:
                 if not waiting.expected:
                     return self._done(waiting, Answer(command, ack.code))
                 left_alone = left_alone or waiting
-            elif (found := _response(waiting, ack.code, behind)) is not None:
-                return self._done(waiting, found)
+            elif (response := _response(waiting, ack.code, behind)) is not None:
+                return self._done(waiting, response)
         if left_alone is None:
             return None
         error = MissingResponse(left_alone.command.NAME)

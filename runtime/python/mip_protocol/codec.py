@@ -56,11 +56,11 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
         named = frozenset(kept)
 
         def missing(cls: type[T], value: object) -> Any:
-            found = combine(value)
-            number = getattr(found, "_value_", None)
+            flags = combine(value)
+            number = getattr(flags, "_value_", None)
             if number not in named:
                 kept.pop(number, None)
-            return found
+            return flags
 
         kind._missing_ = classmethod(missing)  # type: ignore[assignment]
         kind.__invert__ = lambda self: type(self)(int(self) ^ every)  # type: ignore[method-assign]
@@ -211,12 +211,12 @@ def with_article(kind: type) -> str:
 
 def _singles(layout: str) -> tuple[tuple[int, int], ...]:
     """Index and offset of each four-byte float."""
-    found, offset = [], 0
+    singles, offset = [], 0
     for index, letter in enumerate(layout):
         if letter == "f":
-            found.append((index, offset))
+            singles.append((index, offset))
         offset += struct.calcsize(">" + letter)
-    return tuple(found)
+    return tuple(singles)
 
 
 def single_from_bits(bits: int) -> float:
@@ -293,11 +293,11 @@ def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> 
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
-    read, found = kind._read, []
+    read, structures = kind._read, []
     for _ in range(count):
         value, at = read(data, at)
-        found.append(value)
-    return tuple(found), at
+        structures.append(value)
+    return tuple(structures), at
 
 
 def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> bytes:
@@ -336,9 +336,9 @@ def little(name: str, value: int, size: int) -> bytes:
         raise EncodeError("range", f"{name} is {value}, needs {needs}") from None
 
 
-def constant(found: int, wanted: int) -> None:
-    if found != wanted:
-        raise DecodeError("constant", f"{found} should be {wanted}")
+def constant(number: int, wanted: int) -> None:
+    if number != wanted:
+        raise DecodeError("constant", f"{number} should be {wanted}")
 
 
 def exactly(name: str, value: Any, count: int) -> Sequence[Any]:
@@ -364,20 +364,20 @@ def sized(name: str, value: Any) -> Sequence[Any]:
     """`value`, if it is a sequence, or its elements, if it is an array."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
-    found = value if isinstance(value, Sequence) else _listed(value)
-    if not isinstance(found, Sequence):
+    items = value if isinstance(value, Sequence) else _listed(value)
+    if not isinstance(items, Sequence):
         raise EncodeError("count", f"{name} is {value!r}, needs a sequence")
-    return found
+    return items
 
 
 def elements(name: str, value: Any, count: int) -> Sequence[Any]:
     """The elements of a vector, if they are as many as they must be."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
-    found = _numbers(value)
-    if found is None:
+    numbers = _numbers(value)
+    if numbers is None:
         raise EncodeError("count", f"{name} is {value!r}, needs {count} numbers")
-    return exactly(name, found, count)
+    return exactly(name, numbers, count)
 
 
 def vector(value: Any, *kinds: type[Any]) -> Any:
@@ -385,26 +385,26 @@ def vector(value: Any, *kinds: type[Any]) -> Any:
 
     Anything else is returned unchanged; it is refused when it is sent.
     """
-    if type(value) in kinds or (found := _numbers(value)) is None:
+    if type(value) in kinds or (numbers := _numbers(value)) is None:
         return value
     for kind in kinds:
-        if len(found) == len(kind._fields):
-            return kind._make(found)
+        if len(numbers) == len(kind._fields):
+            return kind._make(numbers)
     return value
 
 
 def vectors(value: Any, *kinds: type[Any]) -> Any:
     """Several vectors, as `vector` makes each of them."""
-    found = _listed(value)
-    return tuple([vector(v, *kinds) for v in found]) if isinstance(found, Sequence) else value
+    items = _listed(value)
+    return tuple([vector(v, *kinds) for v in items]) if isinstance(items, Sequence) else value
 
 
 def several(value: Any) -> Any:
     """An array as the tuple that a decoder makes; anything else is returned unchanged, as by `vector`."""
     if type(value) is tuple:
         return value
-    found = value if isinstance(value, (bytes, bytearray)) else _listed(value)
-    return tuple(found) if isinstance(found, Sequence) else value
+    items = value if isinstance(value, (bytes, bytearray)) else _listed(value)
+    return tuple(items) if isinstance(items, Sequence) else value
 
 
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
@@ -423,15 +423,15 @@ def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
 
 def _numbers(value: Any) -> Sequence[Any] | None:
     """The numbers that a vector is made of, or those of a matrix, row by row."""
-    found = _listed(value)
-    if not isinstance(found, Sequence):
+    numbers = _listed(value)
+    if not isinstance(numbers, Sequence):
         return None
-    if any(hasattr(v, "__len__") for v in found):
-        rows = [_listed(v) for v in found]
+    if any(hasattr(v, "__len__") for v in numbers):
+        rows = [_listed(v) for v in numbers]
         if not all(isinstance(row, Sequence) for row in rows):
             return None
         return [number for row in rows for number in row]
-    return found
+    return numbers
 
 
 def _listed(value: Any) -> Any:

@@ -445,9 +445,9 @@ def deadline_of(timeout: float | None) -> float | None:
 
 def lost(error: BaseException) -> PortClosed:
     """The reason why no more data arrives."""
-    found = PortClosed(f"the port is gone: {str(error) or type(error).__name__}")
-    found.__cause__ = error
-    return found
+    closed = PortClosed(f"the port is gone: {str(error) or type(error).__name__}")
+    closed.__cause__ = error
+    return closed
 
 
 def open_port(
@@ -466,9 +466,9 @@ def open_port(
     device alone. Raises OSError if the port cannot be opened or is in use, NoDevice if no baud rate
     is found, ValueError if the URL is wrong, and MissingExtra.
     """
-    found = connect(url, baud)
+    port = connect(url, baud)
     device = Device(
-        found, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
+        port, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
     )
     device._again = partial(open_url, url)
     return device

@@ -245,15 +245,15 @@ class Shared(Field):
 
     @classmethod
     def _received(cls: type[H], raw: RawField) -> H:
-        found = cls._read(raw.data, 0)[0]
-        found._packet_set = raw.set
-        return found
+        field = cls._read(raw.data, 0)[0]
+        field._packet_set = raw.set
+        return field
 
     def __replace__(self: H, **changes: Any) -> H:
-        found = super().__replace__(**changes)
+        field = super().__replace__(**changes)
         if self.packet_set is not None:
-            found._packet_set = self.packet_set
-        return found
+            field._packet_set = self.packet_set
+        return field
 
 
 class Response(Field):

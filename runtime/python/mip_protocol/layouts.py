@@ -53,8 +53,8 @@ class Layouts:
         """
         data = bytes(packet)
         decode = self.checked.get(data[:KEY])
-        found = None if decode is None else decode(data, 0)
-        return self.decode_slowly(packet) if found is None else found
+        fields = None if decode is None else decode(data, 0)
+        return self.decode_slowly(packet) if fields is None else fields
 
     def decode_slowly(self, packet: Packet) -> Fields:
         """The same the general way."""

@@ -34,33 +34,33 @@ class Scanner(Generic[T]):
 
     def feed(self, data: Buffer) -> list[T]:
         """The packets that are complete with these bytes, in any buffer: bytes, a memoryview, a mapped file, an array."""
-        found: list[T] = []
+        items: list[T] = []
         for piece in _pieces(data):
-            self._scan(piece, found)
-        return found
+            self._scan(piece, items)
+        return items
 
     def flush(self) -> list[T]:
         """Discards an incomplete packet, for example at the end of a file, and searches its
         bytes."""
-        found: list[T] = []
-        self._scan(b"", found, final=True)
-        return found
+        items: list[T] = []
+        self._scan(b"", items, final=True)
+        return items
 
     def feed_all(self, data: Buffer) -> list[T | bytes]:
         """Like `feed`, with the bytes between packets, in order: no byte of the stream is lost.
 
         The bytes between two packets may be in several pieces.
         """
-        found: list[T | bytes] = []
+        items: list[T | bytes] = []
         for piece in _pieces(data):
-            self._scan(piece, found, between=True)
-        return found
+            self._scan(piece, items, between=True)
+        return items
 
     def flush_all(self) -> list[T | bytes]:
         """Like `flush`, with the bytes between packets."""
-        found: list[T | bytes] = []
-        self._scan(b"", found, between=True, final=True)
-        return found
+        items: list[T | bytes] = []
+        self._scan(b"", items, between=True, final=True)
+        return items
 
     def look_behind(self) -> list[T]:
         """Discards the incomplete packet only if a whole packet follows its first bytes.
@@ -71,20 +71,20 @@ class Scanner(Generic[T]):
 
     def look_behind_all(self) -> list[T | bytes]:
         """Like `look_behind`, with the bytes between packets."""
-        found: list[T | bytes] = []
+        items: list[T | bytes] = []
         rest, at = self._rest, 0
         while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
             end = at + rest[at + 3] + OVERHEAD
             if end <= len(rest) and rest[at + 2] not in NO_SETS and is_correct(rest[at:end]):
                 self.skipped += at
-                found.append(rest[:at])
+                items.append(rest[:at])
                 self._rest = rest[at:]
-                self._scan(b"", found, between=True)
+                self._scan(b"", items, between=True)
                 break
-        return found
+        return items
 
     def _scan(
-        self, data: bytes, found: list[Any], between: bool = False, final: bool = False
+        self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
         """Adds the packets in the waiting bytes and in these, and, if requested, the bytes between
         them."""
@@ -150,10 +150,10 @@ class Parser(Scanner[Packet]):
     """
 
     def _scan(
-        self, data: bytes, found: list[Any], between: bool = False, final: bool = False
+        self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
         buffer = self._rest + data if self._rest else data
-        add, known, new = found.append, HEADS.made.get, object.__new__
+        add, known, new = items.append, HEADS.made.get, object.__new__
         at, length = 0, len(buffer)
         while True:
             head = known(buffer[at : at + 4])

@@ -103,6 +103,6 @@ def model_number(text: str) -> int | None:
 
     It has at least four digits. Spaces may precede it, and a dot, a dash or a space follows it.
     """
-    found = re.match(r" *([0-9]{4,})(?=[-. \0]|\Z)", text)
-    number = int(found[1]) if found else 0
+    match = re.match(r" *([0-9]{4,})(?=[-. \0]|\Z)", text)
+    number = int(match[1]) if match else 0
     return number if 0 < number <= 0xFFFF else None

@@ -68,23 +68,23 @@ def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], i
     """Name, mask, first bit and enumeration of each number in a bitfield; the mask of them all."""
     from .reflection import info
 
-    found = [(b.name, b.mask, b.first, b.type) for b in info(kind).bits if not b.alias]
-    return tuple(found), sum(mask for _, mask, _, _ in found)
+    rows = [(b.name, b.mask, b.first, b.type) for b in info(kind).bits if not b.alias]
+    return tuple(rows), sum(mask for _, mask, _, _ in rows)
 
 
 @lru_cache(maxsize=1024)
 def _set_bits(kind: type[IntFlag], value: int) -> tuple[str, ...]:
     """What is set in a bitfield; numbers of several bits in any case."""
     named, known = _bits(kind)
-    found = []
+    words = []
     for name, mask, first, type in named:
         number = (value & mask) >> first
         if mask >> first != 1:
-            found.append(f"{name}={_values(type).get(number, number) if type else number}")
+            words.append(f"{name}={_values(type).get(number, number) if type else number}")
         elif number:
-            found.append(name)
+            words.append(name)
     rest = value & ~known
-    return (*found, f"0x{rest:X}") if rest else tuple(found)
+    return (*words, f"0x{rest:X}") if rest else tuple(words)
 
 
 # --------------------------------------------------------------------------- dictionaries
@@ -93,13 +93,13 @@ def _set_bits(kind: type[IntFlag], value: int) -> tuple[str, ...]:
 def as_dict(
     holder: Described, names: bool, json: bool, device: str | None, inside: Inside | None = None
 ) -> dict[str, Any]:
-    found = {}
+    values = {}
     for p in holder.INFO.members:
         value = getattr(holder, p.attribute)
         if value is not None:
             value = _plain(_here(p, holder, device, inside), value, holder, names, json, device)
-        found[p.name] = value
-    return found
+        values[p.name] = value
+    return values
 
 
 def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | None) -> Parameter:
@@ -173,10 +173,10 @@ def as_text(holder: Described, device: str | None) -> str:
         known = items(holder, device)
     except EncodeError:
         return repr(holder)  # with values that cannot be sent
-    found = ", ".join(
+    words = ", ".join(
         f"{item.parameter.name} = {item.text}{'' if item.valid else ' (invalid)'}" for item in known
     )
-    return f"{name}: {found}" if found else name
+    return f"{name}: {words}" if words else name
 
 
 def items(holder: Described, device: str | None = None) -> list[Item]:
@@ -185,14 +185,14 @@ def items(holder: Described, device: str | None = None) -> list[Item]:
 
 
 def _items(holder: Described, device: str | None, inside: Inside | None) -> list[Item]:
-    found = []
+    items = []
     for p in holder.INFO.members:
         value = getattr(holder, p.attribute)
         if value is not None:
             p = _here(p, holder, device, inside)
             valid = not p.flags or holder.is_valid(p.name, device)
-            found.append(Item(p, value, _text(p, value, holder, device), valid))
-    return found
+            items.append(Item(p, value, _text(p, value, holder, device), valid))
+    return items
 
 
 def formatted(p: Parameter, value: Any) -> str:
@@ -236,8 +236,8 @@ def _list(texts: Iterable[str]) -> str:
 def _structure(value: Any, device: str | None, inside: Inside | None) -> str:
     if not isinstance(value, Described):
         return repr(value)
-    found = _items(value, device, inside)
-    shown = (f"{x.parameter.name} = {x.text}{'' if x.valid else ' (invalid)'}" for x in found)
+    items = _items(value, device, inside)
+    shown = (f"{x.parameter.name} = {x.text}{'' if x.valid else ' (invalid)'}" for x in items)
     return f"({', '.join(shown)})"
 
 
@@ -249,8 +249,8 @@ def _elements(p: Parameter, value: Any, many: bool) -> str:
     if len(shown) != len(p.elements) or len(shown) > 4:
         return f"({', '.join(shown)})"
     units = p.units if many else ("",) * len(shown)
-    found = (f"{name}={x}{_unit((unit,))}" for name, x, unit in zip(p.elements, shown, units))
-    return f"({', '.join(found)})"
+    words = (f"{name}={x}{_unit((unit,))}" for name, x, unit in zip(p.elements, shown, units))
+    return f"({', '.join(words)})"
 
 
 def _word(p: Parameter, value: Any) -> str:

@@ -77,15 +77,15 @@ class _Source(NamedTuple):
 
 def headers(data: bytes) -> bytes:
     """The lengths and descriptors of the fields of a packet, up to a malformed one."""
-    found = bytearray()
+    headers = bytearray()
     at, end = 4, len(data) - 2
     while at < end:
         length = data[at]
         if length < 2 or length > end - at:
             break
-        found += data[at : at + 2]
+        headers += data[at : at + 2]
         at += length
-    return bytes(found)
+    return bytes(headers)
 
 
 def moments(packet: Packet) -> dict[str, int | None]:
@@ -107,15 +107,15 @@ def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
 @lru_cache(maxsize=4096)
 def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
     """Where packets with these fields have their times."""
-    found: dict[str, tuple[int, _Source, int, int]] = {}
+    places: dict[str, tuple[int, _Source, int, int]] = {}
     at = 4
     for length, descriptor in zip(headers[::2], headers[1::2]):
         source = _source(number, descriptor)
-        if source is not None and found.get(source.clock, (0x100,))[0] > descriptor:
+        if source is not None and places.get(source.clock, (0x100,))[0] > descriptor:
             if length >= source.size + 2:
-                found[source.clock] = (descriptor, source, at + 2, at + length)
+                places[source.clock] = (descriptor, source, at + 2, at + length)
         at += length
-    return tuple(place[1:] for place in found.values())
+    return tuple(place[1:] for place in places.values())
 
 
 @cache

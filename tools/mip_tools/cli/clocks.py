@@ -34,10 +34,10 @@ class Timeline:
         return (time if offset - place <= REACH else None), False
 
 
-def best(found: Callable[[], Iterable[Packet]]) -> str | None:
+def best(packets: Callable[[], Iterable[Packet]]) -> str | None:
     """The first clock that has a valid time in these packets; looks no further than that needs."""
     seen: set[str] = set()
-    for packet in found():
+    for packet in packets():
         seen.update(clock for clock, time in moments(packet).items() if time is not None)
         if next(iter(CLOCKS), None) in seen:
             break

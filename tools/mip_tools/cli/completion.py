@@ -90,8 +90,8 @@ def words(typed: list[str]) -> list[str]:
     taken = _positions(before[1:], actions)
     if taken >= len(places) and not (places and places[-1].nargs in ("+", "*")):
         return []
-    found = _values(places[min(taken, len(places) - 1)], before)
-    return [text for text in found if text.startswith(last)]
+    candidates = _values(places[min(taken, len(places) - 1)], before)
+    return [text for text in candidates if text.startswith(last)]
 
 
 def _positions(given: list[str], actions: list[argparse.Action]) -> int:
@@ -122,12 +122,12 @@ def _names(commands: bool) -> list[str]:
     from ..binding import FAMILIES, FIELDS, SETS, registry
     from ..occurrence import every
 
-    found: list[str] = []
+    names_known: list[str] = []
     for name, known in FIELDS.items():
         if not commands or known[2] == "command":
             several = name.partition(".")[0] in FAMILIES.values()
-            found += [one.name for one in every(registry.by_name(name))] if several else [name]
-    return found if commands else [*(names[0] for names in SETS.values()), *found]
+            names_known += [one.name for one in every(registry.by_name(name))] if several else [name]
+    return names_known if commands else [*(names[0] for names in SETS.values()), *names_known]
 
 
 def _functions(before: list[str]) -> list[str]:

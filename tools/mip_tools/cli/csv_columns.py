@@ -30,7 +30,7 @@ PART = 1 << 22
 
 def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None] | None:
     """As `table.survey`; None if only the order of fields in a packet would tell."""
-    found: dict[Occurrence, tuple[tuple[int, int], int]] = {}
+    first_seen: dict[Occurrence, tuple[tuple[int, int], int]] = {}
     clocks: set[str] = set()
     number = 0  # of the first packet of a part
     for part in log.parts():
@@ -38,18 +38,18 @@ def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None
         for count in part.types():
             key = (count.set, count.descriptor)
             one = None if count.type is None else of(count.set, count.type)
-            if one is not None and one not in found and selection.has(*key):
+            if one is not None and one not in first_seen and selection.has(*key):
                 packet = int(part.column(one.kind, count.set).packet[0])
                 first[one] = min(first.get(one, (packet, key)), (packet, key))
-        found |= {kind: (key, number + packet) for kind, (packet, key) in first.items()}
+        first_seen |= {kind: (key, number + packet) for kind, (packet, key) in first.items()}
         if next(iter(CLOCKS), None) not in clocks:
             sets = sorted({count.set for count in part.types() if count.set >= 0x80})
             clocks |= {c for c in CLOCKS if any(times.read(part, n, c).some for n in sets)}
         number += part.packets
-    if len(set(found.values())) < len(found):
+    if len(set(first_seen.values())) < len(first_seen):
         return None
     best = next((clock for clock in CLOCKS if clock in clocks), None)
-    return sorted(found, key=lambda kind: found[kind]), best
+    return sorted(first_seen, key=lambda kind: first_seen[kind]), best
 
 
 class Lines:
@@ -66,7 +66,7 @@ class Lines:
         self._types, self._selection, self._options, self._time = types, selection, options, time
         self._clock = clock if time is not None else None
         self._columns = {one: table.columns(one.kind) for one in types}
-        self._texts = {k: export_text.texts(found, options) for k, found in self._columns.items()}
+        self._texts = {k: export_text.texts(columns, options) for k, columns in self._columns.items()}
 
     def write(self, out: IO[bytes], log: Log, name: str) -> None:
         """Writes those of all packets of a log, which is the file of this name."""
@@ -79,9 +79,9 @@ class Lines:
 
     def _of(self, log: Log, data: Any) -> Iterator[str]:
         """The lines of a part of a log."""
-        found = log.columns(self._types)
-        kept = [self._kept(one, column) for one, column in zip(self._types, found)]
-        number = [column.packet[rows] for column, (rows, _) in zip(found, kept)]
+        log_columns = log.columns(self._types)
+        kept = [self._kept(one, column) for one, column in zip(self._types, log_columns)]
+        number = [column.packet[rows] for column, (rows, _) in zip(log_columns, kept)]
         packets = np.unique(np.concatenate(number))
         if not len(packets):
             return
@@ -90,7 +90,7 @@ class Lines:
         own, twice = np.zeros(len(packets), bool), np.zeros(len(packets), bool)
         several: dict[int, list[str]] = {}
         cells: list[list[str]] = []
-        for one, column, (rows, texts), numbers in zip(self._types, found, kept, number):
+        for one, column, (rows, texts), numbers in zip(self._types, log_columns, kept, number):
             place = np.searchsorted(packets, numbers)
             offset[place] = column.offset[rows]
             twice[place[1:][place[1:] == place[:-1]]] = True
@@ -137,12 +137,12 @@ class Lines:
 
     def _by_objects(self, one: Occurrence, column: LogColumn[Any], rows: Array) -> tuple[Array, list[str]]:
         """The same for fields whose layout varies, and with names of values."""
-        found, cells = [], []
+        kept, cells = [], []
         for i, (value, wanted) in enumerate(zip(column.objects(), rows.tolist())):
             if wanted and self._whole(one, value):
-                found.append(i)
+                kept.append(i)
                 cells.append(self._cells(one, value))
-        return np.array(found, np.intp), cells
+        return np.array(kept, np.intp), cells
 
     def _whole(self, one: Occurrence, value: Field) -> bool:
         """Is nothing in it invalid, if that is asked for?"""
@@ -157,13 +157,13 @@ class Lines:
         """The rows of a packet that has several fields of one type, in their order."""
         packet = Packet(data[offset : offset + data[offset + 3] + OVERHEAD])
         fields = [
-            (one, found.value)
+            (one, field.value)
             for raw in raw_fields(packet)
             if self._selection.has(raw.set, raw.descriptor)
-            and (found := decoded(raw)).value is not None
-            and found.kind is not None
-            and (one := of(raw.set, found.kind)) in self._columns
-            and self._whole(one, found.value)
+            and (field := decoded(raw)).value is not None
+            and field.kind is not None
+            and (one := of(raw.set, field.kind)) in self._columns
+            and self._whole(one, field.value)
         ]
         rows = []
         for row in export_text.rows(fields):
@@ -207,10 +207,10 @@ def shortest(numbers: Array) -> Array:
     that are divided by an exact power of ten: so they are the nearest double.
     """
     with np.errstate(invalid="ignore"):  # of NaNs that signal
-        found = numbers.astype(np.float64)
-    size = np.abs(found)
+        doubles = numbers.astype(np.float64)
+    size = np.abs(doubles)
     left = np.flatnonzero((size >= 1e-5) & (size < 1e9))
-    hard = np.isfinite(found) & (size > 0)
+    hard = np.isfinite(doubles) & (size > 0)
     hard[left] = False
     exponent = np.floor(np.log10(size[left])).astype(np.intp)
     exponent -= size[left] < _POWERS[exponent + 6]  # the logarithm is rounded
@@ -220,7 +220,7 @@ def shortest(numbers: Array) -> Array:
             break
         power = _POWERS[np.abs(digits - 1 - exponent) + 6]
         small = exponent > digits - 1
-        exact = found[left]
+        exact = doubles[left]
         moved = np.where(small, exact / power, exact * power)
         whole = np.rint(moved)
         hard[left[np.abs(np.abs(moved - whole) - 0.5) < 1e-3]] = True  # either could be nearer
@@ -229,12 +229,12 @@ def shortest(numbers: Array) -> Array:
         if digits == 9:
             same[:] = True
         same &= ~hard[left]
-        found[left[same]] = near[same]
+        doubles[left[same]] = near[same]
         same |= hard[left]
         left, exponent = left[~same], exponent[~same]
     for i in np.flatnonzero(hard).tolist():
-        found[i] = float(values.number(float(numbers[i]), "float"))
-    return found
+        doubles[i] = float(values.number(float(numbers[i]), "float"))
+    return doubles
 
 
 _POWERS = 10.0 ** np.arange(-6, 20)

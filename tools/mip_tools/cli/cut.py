@@ -60,10 +60,10 @@ class When(NamedTuple):
 
 
 def _range(text: str) -> _Range:
-    found = re.fullmatch(r"(\d*):(\d*)", text, re.ASCII)
-    if found is None or text == ":":
+    match = re.fullmatch(r"(\d*):(\d*)", text, re.ASCII)
+    if match is None or text == ":":
         raise argparse.ArgumentTypeError(f"'{text}' is not a range; write 100:200, 100: or :200")
-    wanted = _Range(int(found[1] or 0), int(found[2]) if found[2] else None)
+    wanted = _Range(int(match[1] or 0), int(match[2]) if match[2] else None)
     if wanted.end is not None and wanted.first > wanted.end:
         raise argparse.ArgumentTypeError(f"'{text}' begins after its end")
     return wanted
@@ -156,12 +156,12 @@ class _Bounds:
 
 
 def _clock(file: str, name: str, dates: bool) -> str:
-    found = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
-    if found is None:
+    clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
+    if clock is None:
         raise Failure(f"{file} has no valid times; use --packets or --bytes")
-    if dates and not clocks.dated(found):
+    if dates and not clocks.dated(clock):
         raise Failure(f"{file} has no dates; use seconds from the start")
-    return found
+    return clock
 
 
 def _kept(name: str, bounds: _Bounds, selection: Selection, keep_skipped: bool) -> Iterator[tuple[bytes, bool]]:

@@ -72,14 +72,14 @@ def run(options: argparse.Namespace) -> int:
                     print(f"{piece.offset:08x} {show.skipped(piece.data)}", flush=live)
                 continue
             packets += 1
-            found = show.selected(piece.packet, selection)
-            if not found and not selection.everything:
+            fields = show.selected(piece.packet, selection)
+            if not fields and not selection.everything:
                 continue
             where = "" if explain else f"{piece.offset:08x} "
             if as_tree:
-                text = "\n".join(show.tree(piece.packet, found, device))
+                text = "\n".join(show.tree(piece.packet, fields, device))
             else:
-                text = show.line(piece.packet, found, device)
+                text = show.line(piece.packet, fields, device)
             raw = f"\n  {piece.data.hex(' ')}" if options.raw else ""
             print(f"{where}{text}{raw}", flush=live)
             shown += 1

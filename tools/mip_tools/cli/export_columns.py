@@ -81,9 +81,9 @@ class Job:
             rows = kept(column, self._selection, self._options.invalid)
             name = one.name
             if self._clock is not None:
-                found = column.time(self._clock)
-                arrays[f"{name}/time"] = self._seconds(found.values)[rows]
-                arrays[f"{name}/time_own"] = found.own[rows]
+                times = column.time(self._clock)
+                arrays[f"{name}/time"] = self._seconds(times.values)[rows]
+                arrays[f"{name}/time_own"] = times.own[rows]
             arrays[f"{name}/packet"] = column.packet[rows]
             arrays[f"{name}/offset"] = column.offset[rows]
             for parameter in column.names:
@@ -104,8 +104,8 @@ class Job:
 
     def _seconds(self, times: Any) -> Any:
         """Times as NumPy has them if they are UTC, else seconds."""
-        self._first, found = in_seconds(times, self._options.time, self._clock, self._first)
-        return found
+        self._first, seconds = in_seconds(times, self._options.time, self._clock, self._first)
+        return seconds
 
 
 def in_seconds(times: Any, wanted: str | None, clock: str | None, first: int | None) -> tuple[int | None, Any]:
@@ -149,12 +149,12 @@ def _ragged(name: str, ragged: Any, rows: Any) -> dict[str, Any]:
         index = np.concatenate([np.arange(b, b + n) for b, n in zip(begins, lengths)] or [np.zeros(0, np.int64)])
     else:
         index = np.arange(ragged.offsets[-1])
-    found = {f"{name}/offsets": np.concatenate(([0], np.cumsum(lengths)))}
+    arrays = {f"{name}/offsets": np.concatenate(([0], np.cumsum(lengths)))}
     if isinstance(ragged.values, np.ndarray):
-        return found | {f"{name}/values": ragged.values[index]}
+        return arrays | {f"{name}/values": ragged.values[index]}
     inner = np.zeros(len(ragged.values), bool)
     inner[index] = True
-    return found | _ragged(f"{name}/values", ragged.values, inner)
+    return arrays | _ragged(f"{name}/values", ragged.values, inner)
 
 
 # --------------------------------------------------------------------------- parquet and arrow
@@ -208,12 +208,12 @@ class Tables:
             turn = numbers - np.maximum.accumulate(np.where(new, numbers, 0))
             keys[kind] = packet * 256 + turn
         whole = np.unique(np.concatenate(list(keys.values())))
-        found = {}
+        rows_of = {}
         for kind, key in keys.items():
             rows = np.full(len(whole), -1, np.int64)
             rows[np.searchsorted(whole, key)] = np.arange(len(key))
-            found[kind] = rows
-        return found
+            rows_of[kind] = rows
+        return rows_of
 
     def _aligned_rows(self, tables: dict[Occurrence, Any]) -> dict[Occurrence, Any]:
         """For each row of one type the last one of the others, also from the part before."""
@@ -223,17 +223,17 @@ class Tables:
 
         assert self._aligned is not None
         base = tables[self._aligned]["offset"].to_numpy()
-        found = {}
+        rows_of = {}
         for kind, table in list(tables.items()):
             if kind == self._aligned:
-                found[kind] = np.arange(len(base))
+                rows_of[kind] = np.arange(len(base))
                 continue
             if kind in self._last:
                 table = tables[kind] = pa.concat_tables([self._last[kind], table])
             if len(table):
                 self._last[kind] = table.slice(len(table) - 1)
-            found[kind] = np.searchsorted(table["offset"].to_numpy(), base, side="right") - 1
-        return found
+            rows_of[kind] = np.searchsorted(table["offset"].to_numpy(), base, side="right") - 1
+        return rows_of
 
     def _put_together(self, tables: dict[Occurrence, Any], rows: dict[Occurrence, Any]) -> Any:
         pa, pc = import_module("pyarrow"), import_module("pyarrow.compute")
@@ -269,9 +269,9 @@ class Tables:
         wanted = self._options.time
         if wanted in (None, "utc") and clocks.dated(self._clock):
             return column, field
-        self._first, found = in_seconds(times, wanted, self._clock, self._first)
+        self._first, seconds = in_seconds(times, wanted, self._clock, self._first)
         metadata = {**(field.metadata or {}), b"unit": b"s"}
-        return pa.array(found, from_pandas=True), pa.field("time", pa.float64(), metadata=metadata)
+        return pa.array(seconds, from_pandas=True), pa.field("time", pa.float64(), metadata=metadata)
 
 
 def _writer(form: str, out: Any, schema: Any) -> Any:

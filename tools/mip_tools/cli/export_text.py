@@ -38,9 +38,9 @@ class Job:
             from . import csv_columns
 
             with log:
-                found = csv_columns.survey(log, self._selection)
-            if found is not None:
-                return found
+                surveyed = csv_columns.survey(log, self._selection)
+            if surveyed is not None:
+                return surveyed
         return survey(self._name, self._selection)
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
@@ -113,8 +113,8 @@ def write_csv(
     """A row for each packet; more, if a packet has several fields of one type."""
     own = {one: columns(one.kind) for one in types}
     out.write(head(types, time is not None))
-    writers = {kind: texts(found, options) for kind, found in own.items()}
-    empty = {kind: [""] * len(found) for kind, found in own.items()}
+    writers = {kind: texts(own_columns, options) for kind, own_columns in own.items()}
+    empty = {kind: [""] * len(own_columns) for kind, own_columns in own.items()}
     last = dict(empty)
     for packet in packets:
         if aligned is None:
@@ -160,14 +160,14 @@ def _times(packet: list[Sample], time: Callable[[int | None], str | None] | None
     return [time(packet[0].time) or "", str(int(packet[0].own))]
 
 
-def texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
+def texts(columns: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
     """The cells of a field."""
     mask, named = options.invalid == "mask", options.named
 
     def cells(field: Any) -> list[str]:
         return [
             "" if mask and c.valid is not None and not c.valid(field) else _text(cell(c, field, named), c)
-            for c in found
+            for c in columns
         ]
 
     return cells
@@ -221,19 +221,19 @@ def write_jsonl(
             last[kind.name] = held = _strict(held)
             if aligned not in (None, kind):
                 continue
-            found: dict[str, Any] = {}
+            line: dict[str, Any] = {}
             if time is not None:
                 said = time(sample.time)
-                found["time"] = said if said is None or said.endswith("Z") else float(said)
-                found["time_own"] = sample.own
-            found |= {"packet": sample.packet, "offset": sample.offset}
-            found |= {"field": kind.name, "values": held} if aligned is None else {"fields": last}
-            out.write(json.dumps(found, separators=(",", ":"), allow_nan=False).encode() + b"\n")
+                line["time"] = said if said is None or said.endswith("Z") else float(said)
+                line["time_own"] = sample.own
+            line |= {"packet": sample.packet, "offset": sample.offset}
+            line |= {"field": kind.name, "values": held} if aligned is None else {"fields": last}
+            out.write(json.dumps(line, separators=(",", ":"), allow_nan=False).encode() + b"\n")
 
 
-def _mask(held: dict[str, Any], found: list[Column], field: Any) -> None:
+def _mask(held: dict[str, Any], columns: list[Column], field: Any) -> None:
     """Puts null in place of values that are not valid."""
-    for c in found:
+    for c in columns:
         if c.valid is None or c.valid(field):
             continue
         *path, last = c.name.split(".")

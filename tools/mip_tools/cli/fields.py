@@ -56,26 +56,26 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _chosen(options: argparse.Namespace) -> list[Occurrence]:
-    found = _all()
+    kinds = _all()
     if options.name is not None:
         wanted = keys(options.name)
         if wanted[0][1] is None:
-            found = [k for k in found if k[0] == wanted[0][0]]
+            kinds = [k for k in kinds if k[0] == wanted[0][0]]
         else:
             named = fields(options.name)
-            found = [k for k in found if k in named]
-        if not found:
+            kinds = [k for k in kinds if k in named]
+        if not kinds:
             raise Misuse(f"the specification has no {options.name}; `mip fields` lists the sets")
     if options.device is not None:
         from ..simulator.profiles import device_named
 
         profile = device_named(options.device)
-        found = [k for k in found if _supports(profile, *k)]
+        kinds = [k for k in kinds if _supports(profile, *k)]
     if options.search is not None:
-        found = [k for k in found if options.search.lower() in _searched(k)]
-    if not found:
+        kinds = [k for k in kinds if options.search.lower() in _searched(k)]
+    if not kinds:
         raise Failure(_nothing(options))
-    return found
+    return kinds
 
 
 def _nothing(options: argparse.Namespace) -> str:
@@ -206,7 +206,7 @@ def as_json(one: Occurrence) -> dict[str, Any]:
 
 
 def _parameter(p: Parameter) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    row: dict[str, Any] = {
         "name": p.name,
         "layout": p.layout,
         "text": p.text,
@@ -217,13 +217,13 @@ def _parameter(p: Parameter) -> dict[str, Any]:
         "default": p.default,
     }
     if p.cases:
-        found["cases"] = {tag: c and _parameter(c) for tag, c in p.cases.items()}
+        row["cases"] = {tag: c and _parameter(c) for tag, c in p.cases.items()}
     if isinstance(p.type, type) and issubclass(p.type, Structure):
-        found["parameters"] = [_parameter(q) for q in info(p.type).parameters]
+        row["parameters"] = [_parameter(q) for q in info(p.type).parameters]
     elif isinstance(p.type, type):
         known: Any = info(p.type)
         enum = isinstance(known, EnumInfo)
-        found["values" if enum else "bits"] = (
+        row["values" if enum else "bits"] = (
             {v.name: v.value for v in known.values} if enum else {b.name: b.mask for b in known.bits}
         )
-    return found
+    return row

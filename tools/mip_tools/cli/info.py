@@ -163,13 +163,13 @@ def run(options: argparse.Namespace) -> int:
 def lines(name: str, report: Report) -> list[str]:
     """The report as text."""
     name = "standard input" if name == "-" else name
-    found = [f"{name}: {inputs.readable(report.size)}, {_count(report.packets, 'packet')}"]
-    found += list(_span(report))
-    found += list(_damage(report))
+    text = [f"{name}: {inputs.readable(report.size)}, {_count(report.packets, 'packet')}"]
+    text += list(_span(report))
+    text += list(_damage(report))
     if report.fields:
-        found += ["", *_table(report)]
-    found += list(_gaps(report))
-    return found
+        text += ["", *_table(report)]
+    text += list(_gaps(report))
+    return text
 
 
 def _span(report: Report) -> Any:

@@ -99,7 +99,7 @@ def _add(report: Report, piece: Piece) -> None:
 def _name(piece: Piece, runs: list[Any]) -> str:
     """The name of the first one of some fields."""
     firsts = [(int(r.packet[0]), r.offset if isinstance(r.offset, int) else int(r.offset[0]), r) for r in runs]
-    packet, offset, run = min(firsts, key=lambda found: found[:2])
+    packet, offset, run = min(firsts, key=lambda first: first[:2])
     begin = int(piece.at[packet]) + HEADER + offset
     data = piece.data[begin : begin + run.length].tobytes()
     return name_of(decoded(RawField(run.set, run.descriptor, data)))

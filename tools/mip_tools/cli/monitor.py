@@ -72,9 +72,9 @@ def run(options: argparse.Namespace) -> int:
                     packets += 1
                     for raw in raw_fields(piece.packet):
                         if selection.has(raw.set, raw.descriptor):
-                            found = decoded(raw)
-                            one = latest.setdefault((raw.set, name_of(found)), _Latest())
-                            one.found = found
+                            field = decoded(raw)
+                            one = latest.setdefault((raw.set, name_of(field)), _Latest())
+                            one.found = field
                             one.times.append(now)
                 elif piece is not None:
                     skipped += len(piece.data)

@@ -43,12 +43,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def _size(text: str) -> tuple[float, float]:
     width, _, height = text.partition("x")
     try:
-        found = float(width), float(height)
+        size = float(width), float(height)
     except ValueError:
-        found = 0.0, 0.0
-    if not all(1 <= number <= 100 for number in found):
+        size = 0.0, 0.0
+    if not all(1 <= number <= 100 for number in size):
         raise argparse.ArgumentTypeError(f"'{text}' is not a size; write 10x6, in inches")
-    return found
+    return size
 
 
 class Curve(NamedTuple):
@@ -227,10 +227,10 @@ def _times(column: Any, clock: str | None) -> Any:
 
     if clock is None:
         return column.packet
-    found = column.time(clock).values
+    times = column.time(clock).values
     if clocks.dated(clock):
-        return found
-    return np.where(np.isnat(found), np.nan, found.astype(np.int64) / 1e9)
+        return times
+    return np.where(np.isnat(times), np.nan, times.astype(np.int64) / 1e9)
 
 
 def _time_label(clock: str | None) -> str:

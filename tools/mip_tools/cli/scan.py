@@ -35,8 +35,8 @@ class Scanner:
         """The pieces of what is left, at the end of a file or after a silence."""
         return self._pieces(self._parser.flush_all())
 
-    def _pieces(self, found: list[Packet | bytes]) -> Iterator[Piece]:
-        for item in found:
+    def _pieces(self, items: list[Packet | bytes]) -> Iterator[Piece]:
+        for item in items:
             data = bytes(item)
             yield Piece(self._offset, data, item if isinstance(item, Packet) else None)
             self._offset += len(data)

@@ -34,10 +34,10 @@ def fields(name: str) -> list[Occurrence]:
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None and numbers[2]:
         set = int(numbers[1], 0)
-        found = registry.types(set, int(numbers[2], 0))
-        if not found:
+        kinds = registry.types(set, int(numbers[2], 0))
+        if not kinds:
             raise Misuse(f"{name} is not a field; `mip fields` lists them")
-        return [of(set, kind) for kind in found]
+        return [of(set, kind) for kind in kinds]
     try:
         return named(name)
     except UnknownName as error:
@@ -62,10 +62,10 @@ def near(name: str) -> str:
 
 def field(name: str) -> Occurrence:
     """The one field of this name. Raises Failure if several sets have one."""
-    found = fields(name)
-    if len(found) > 1:
-        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.name for k in found)}")
-    return found[0]
+    kinds = fields(name)
+    if len(kinds) > 1:
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.name for k in kinds)}")
+    return kinds[0]
 
 
 class Selection:
@@ -102,14 +102,14 @@ class Selection:
 
 def _all(names: Iterable[str]) -> set[Key]:
     """The keys of names, each perhaps several with commas between."""
-    found: set[Key] = set()
+    chosen: set[Key] = set()
     for text in names:
         if _NUMBERS.fullmatch(text):
-            found.update(keys(text))
+            chosen.update(keys(text))
             continue
         for name in filter(None, (part.strip() for part in text.split(","))):
-            found.update(keys(name))
-    return found
+            chosen.update(keys(name))
+    return chosen
 
 
 def _within(wanted: set[Key], number: int, descriptor: int) -> bool:

@@ -112,9 +112,9 @@ def _print(
 
 
 def _kind(name: str) -> type[Command]:
-    found = [kind for _, kind in fields(name) if issubclass(kind, Command)]
-    if not found:
+    kinds = [kind for _, kind in fields(name) if issubclass(kind, Command)]
+    if not kinds:
         raise Misuse(f"{name} is not a command; `mip fields --search {name}` finds others")
-    if len(found) > 1:
-        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
-    return found[0]
+    if len(kinds) > 1:
+        raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in kinds)}")
+    return kinds[0]

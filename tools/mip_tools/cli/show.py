@@ -34,10 +34,10 @@ def selected(packet: Packet, selection: Selection) -> list[Found]:
 # --------------------------------------------------------------------------- a line
 
 
-def line(packet: Packet, found: list[Found], device: str | None) -> str:
+def line(packet: Packet, fields: list[Found], device: str | None) -> str:
     """A packet in one line: its set, and each field with its values in parentheses."""
     set = set_name(packet.set)
-    parts = [f"{short(f, set)}{inside(f, device)}" for f in found]
+    parts = [f"{short(f, set)}{inside(f, device)}" for f in fields]
     wrong = malformed(packet)
     if wrong:
         parts.append(f"malformed({wrong})")
@@ -69,7 +69,7 @@ def inside(found: Found, device: str | None) -> str:
 # --------------------------------------------------------------------------- a tree
 
 
-def tree(packet: Packet, found: list[Found], device: str | None) -> Iterator[str]:
+def tree(packet: Packet, fields: list[Found], device: str | None) -> Iterator[str]:
     """A packet, its fields and their values in indented lines, with their bytes."""
     raw = bytes(packet)
     count = sum(1 for _ in raw_fields(packet))
@@ -77,7 +77,7 @@ def tree(packet: Packet, found: list[Found], device: str | None) -> Iterator[str
         f"{set_name(packet.set)} (0x{packet.set:02X}), {count} field{'s' * (count != 1)}, "
         f"{len(raw)} bytes: {spaced(raw[:4])} … checksum {spaced(raw[-2:])}"
     )
-    for f in found:
+    for f in fields:
         yield from (f"  {text}" for text in branch(f, device))
     wrong = malformed(packet)
     if wrong:

@@ -132,7 +132,7 @@ def cell(column: Column, field: Any, named: bool) -> Any:
 
 def survey(name: str, selection: Selection) -> tuple[list[Occurrence], str | None]:
     """The types of the fields that a log has and a selection wants, by number; and its best clock."""
-    found: dict[Occurrence, tuple[int, int]] = {}
+    first: dict[Occurrence, tuple[int, int]] = {}
     single: set[tuple[int, int]] = set()  # has one layout, and is known
     clocks: set[str] = set()
     for piece in inputs.pieces(name):
@@ -148,11 +148,11 @@ def survey(name: str, selection: Selection) -> tuple[list[Occurrence], str | Non
             types = registry.types(*key)
             kind = chosen(types, raw)
             if kind is not None and decoded(raw).value is not None:
-                found.setdefault(of(raw.set, kind), key)
+                first.setdefault(of(raw.set, kind), key)
                 if len(types) == 1:
                     single.add(key)
     best = next((clock for clock in CLOCKS if clock in clocks), None)
-    return sorted(found, key=lambda kind: found[kind]), best
+    return sorted(first, key=lambda kind: first[kind]), best
 
 
 def samples(name: str, wanted: Sequence[Occurrence], selection: Selection, clock: str | None) -> Iterator[list[Sample]]:
@@ -166,7 +166,7 @@ def samples(name: str, wanted: Sequence[Occurrence], selection: Selection, clock
             continue
         number += 1
         time, own = line.at(piece.packet, piece.offset)
-        found = []
+        row = []
         for raw in raw_fields(piece.packet):
             key = (raw.set, raw.descriptor)
             asked = keys.get(key)
@@ -179,9 +179,9 @@ def samples(name: str, wanted: Sequence[Occurrence], selection: Selection, clock
                     continue
                 one = of(raw.set, field.kind)
                 if one in selected:
-                    found.append(Sample(number, piece.offset, time, own, one, field.value))
-        if found:
-            yield found
+                    row.append(Sample(number, piece.offset, time, own, one, field.value))
+        if row:
+            yield row
 
 
 def heading(kind: Occurrence, name: str, single: bool) -> str:

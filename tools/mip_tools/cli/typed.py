@@ -74,26 +74,26 @@ def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..
 def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) -> list[tuple[Parameter, str]]:
     """Parameters with their words: by name, or in order. In the order of the parameters."""
     by_name = {p.name: p for p in wanted} | {p.attribute: p for p in wanted}
-    found: dict[str, tuple[Parameter, str]] = {}
+    given: dict[str, tuple[Parameter, str]] = {}
     free = list(wanted)
     for word in words:
         name, equal, rest = word.partition("=")
         if equal and name in by_name:
             p, text = by_name[name], rest
-            if p.attribute in found:
+            if p.attribute in given:
                 raise Misuse(f"{name} is given twice")
         elif equal and name.isidentifier():
             names = ", ".join(p.name for p in wanted) or "none"
             raise Misuse(f"{kind.NAME} has no parameter '{name}' here; it has {names}")
         else:
-            while free and free[0].attribute in found:
+            while free and free[0].attribute in given:
                 free.pop(0)
             if not free:
                 names = ", ".join(p.name for p in wanted) or "no values"
                 raise Misuse(f"'{word}' is one value too many; {kind.NAME} takes {names}")
             p, text = free.pop(0), word
-        found[p.attribute] = (p, text)
-    return [found[p.attribute] for p in wanted if p.attribute in found]
+        given[p.attribute] = (p, text)
+    return [given[p.attribute] for p in wanted if p.attribute in given]
 
 
 # --------------------------------------------------------------------------- values
@@ -153,13 +153,13 @@ def _from_json(p: Parameter, given: Any) -> Any:
         unknown = [name for name in given if name not in members]
         if unknown:
             raise Misuse(f"{p.name} has no '{unknown[0]}'; it has {', '.join(members)}")
-        found: dict[str, Any] = {}
+        values: dict[str, Any] = {}
         for name, v in given.items():
             m = members[name]
             m = p if m is None else m
-            case = m.cases.get(int(found.get(m.tag, -1))) if m.kind == "switch" else m
-            found[m.attribute] = _from_json(case or m, v)
-        return _made(p, found)
+            case = m.cases.get(int(values.get(m.tag, -1))) if m.kind == "switch" else m
+            values[m.attribute] = _from_json(case or m, v)
+        return _made(p, values)
     if isinstance(given, (dict, type(None))):
         raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
     return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))

@@ -31,9 +31,9 @@ def number(value: float, scalar: str) -> str:
 
 def plain(value: Described, named: bool, device: str | None = None) -> dict[str, Any]:
     """A field as strict JSON has it, numbers with as many digits as they have on the wire."""
-    found = value.to_dict(names=named, json=True, device=device)
-    _shorten(value.INFO.members, found)
-    return found
+    values = value.to_dict(names=named, json=True, device=device)
+    _shorten(value.INFO.members, values)
+    return values
 
 
 def _shorten(members: Iterable[Parameter], held: dict[str, Any]) -> None:

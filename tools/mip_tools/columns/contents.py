@@ -37,21 +37,21 @@ class _Span(NamedTuple):
 
 def types(log: Log) -> list[TypeCount]:
     """The types in the order of sets and descriptors; what cannot be decoded comes behind the others."""
-    found: list[tuple[int, int, type[Field] | None, str, _Span]] = []
+    rows: list[tuple[int, int, type[Field] | None, str, _Span]] = []
     for (number, descriptor), lengths in sorted(_lengths(log).items()):
         every = _together(list(lengths.values()))
         left = every.rows
         for kind in registry.types(number, descriptor):
             span = _decodable(log, number, kind, lengths)
             if span is not None:
-                found.append((number, descriptor, kind, kind.name_in(number), span))
+                rows.append((number, descriptor, kind, kind.name_in(number), span))
                 left -= span.rows
         if left:
             name = f"0x{number:02X},0x{descriptor:02X}"
-            found.append((number, descriptor, None, name, every._replace(rows=left)))
+            rows.append((number, descriptor, None, name, every._replace(rows=left)))
     return [
         TypeCount(n, d, kind, name, span.rows, times.rate(log, n, *span) if kind else None)
-        for n, d, kind, name, span in found
+        for n, d, kind, name, span in rows
     ]
 
 
@@ -74,12 +74,12 @@ def _decodable(log: Log, number: int, kind: type[Field], lengths: dict[int, _Spa
 
 def _lengths(log: Log) -> dict[tuple[int, int], dict[int, _Span]]:
     """(set, descriptor) -> length of the data -> the fields."""
-    found: dict[tuple[int, int], dict[int, _Span]] = {}
+    by_key: dict[tuple[int, int], dict[int, _Span]] = {}
     for piece in log.pieces():
         for run in piece.runs or ():
             first, last = int(run.packet[0]) + piece.number, int(run.packet[-1]) + piece.number
             span = _Span(len(run.packet), first, last)
-            lengths = found.setdefault((run.set, run.descriptor), {})
+            lengths = by_key.setdefault((run.set, run.descriptor), {})
             old = lengths.get(run.length)
             lengths[run.length] = span if old is None else old.and_(span)
-    return found
+    return by_key

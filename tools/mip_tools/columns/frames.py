@@ -49,30 +49,30 @@ def _series(log: Log, columns: Sequence[Column[Any]], time: str | None, invalid:
     if time == "auto":
         clock = times.chosen(log, sorted({n for c in columns for n in c.sets})) or None
     places, rows = _rows(columns)
-    found: list[Series] = []
+    series: list[Series] = []
     if clock is not None:
         known = [column.time(clock) for column in columns]
         values = np.full(rows, "NaT", times.dtype(clock))
         own = np.zeros(rows, bool)
         for place, one in zip(places, known):
             values[place], own[place] = one.values, one.own
-        found.append(Series("time", values, None, {"clock": clock}))
-        found.append(Series("time_own", own, None, {}))
+        series.append(Series("time", values, None, {"clock": clock}))
+        series.append(Series("time_own", own, None, {}))
     if position:
         for name in ("packet", "set", "offset"):
             numbers = np.zeros(rows, np.uint8 if name == "set" else np.int64)
             for place, column in zip(places, columns):
                 numbers[place] = getattr(column, name)
-            found.append(Series(name, numbers, None, {}))
+            series.append(Series(name, numbers, None, {}))
     for column, place, prefix in zip(columns, places, _prefixes(columns)):
         if not column.names:
             there = np.zeros(rows, bool)
             there[place] = True
             name = prefix or column.type.NAME.rpartition(".")[2]
-            found.append(Series(name, there, None, {}))
+            series.append(Series(name, there, None, {}))
         for part in _parameters(column, invalid, prefix):
-            found.append(part if len(columns) == 1 else _spread(part, place, rows))
-    return found
+            series.append(part if len(columns) == 1 else _spread(part, place, rows))
+    return series
 
 
 def _rows(columns: Sequence[Column[Any]]) -> tuple[list[Any], int]:
@@ -102,7 +102,7 @@ def _prefixes(columns: Sequence[Column[Any]]) -> list[str]:
 
 def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
     """The columns of a frame for one type: vectors get one for each element."""
-    found = []
+    series = []
     for name in column.names:
         p, values = column.parameters[name], column[name]
         full = name
@@ -116,7 +116,7 @@ def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
         bad = ~column.valid(name) if invalid == "mask" and p.flags else None
         single = {"unit": p.units[0]} if len(set(p.units)) == 1 else {}
         if isinstance(values, Ragged):
-            found.append(Series(full, values, values.mask, facts | single))
+            series.append(Series(full, values, values.mask, facts | single))
             continue
         gone = absent(values) if isinstance(values, np.ma.MaskedArray) else None
         if p.elements and values.ndim == 2:
@@ -124,11 +124,11 @@ def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
                 unit = {"unit": p.units[min(i, len(p.units) - 1)]} if p.units else {}
                 wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad[:, i])
                 part = np.asarray(values)[:, i]
-                found.append(Series(f"{full}.{element}", part, _either(gone, wrong), facts | unit))
+                series.append(Series(f"{full}.{element}", part, _either(gone, wrong), facts | unit))
         else:
             wrong = bad if bad is None or bad.ndim == 1 else np.asarray(bad.all(axis=1))
-            found.append(Series(full, np.asarray(values), _either(gone, wrong), facts | single))
-    return found
+            series.append(Series(full, np.asarray(values), _either(gone, wrong), facts | single))
+    return series
 
 
 def _either(first: Array | None, second: Array | None) -> Array | None:

@@ -40,26 +40,26 @@ Values: TypeAlias = "Array | Ragged"
 
 def columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: str = "") -> dict[str, Values]:
     """The columns of some objects, of which some may be None."""
-    found: dict[str, Values] = {}
+    all_columns: dict[str, Values] = {}
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
             continue
         values = [None if r is None else getattr(r, p.attribute) for r in records]
         name = prefix + p.attribute
         if p.kind == "switch":
-            found |= _union(p, [None if r is None else getattr(r, p.tag) for r in records], values, name)
+            all_columns |= _union(p, [None if r is None else getattr(r, p.tag) for r in records], values, name)
         else:
-            found |= _one(p, values, name)
-    return found
+            all_columns |= _one(p, values, name)
+    return all_columns
 
 
 def _union(p: Parameter, tags: list[Any], values: list[Any], name: str) -> dict[str, Values]:
-    found: dict[str, Values] = {}
+    all_columns: dict[str, Values] = {}
     for tag, case in p.cases.items():
         if case is not None:
             chosen = [value if own == tag else None for own, value in zip(tags, values)]
-            found |= _one(case, chosen, f"{name}.{case.attribute}")
-    return found
+            all_columns |= _one(case, chosen, f"{name}.{case.attribute}")
+    return all_columns
 
 
 def _one(p: Parameter, values: list[Any], name: str) -> dict[str, Values]:

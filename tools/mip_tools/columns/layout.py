@@ -101,7 +101,7 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
     right: Array | None = None
-    found: dict[str, Array] = {}
+    columns: dict[str, Array] = {}
     for name, p, column in _leaves(info(kind).parameters, record, ""):
         if p.constant is not None:
             same = column == p.constant
@@ -109,11 +109,11 @@ def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple
                 same = same.all(axis=-1)
             right = same if right is None else right & same
         else:
-            found[name] = column
+            columns[name] = column
     if right is not None and not right.all():
-        found = {name: column[right] for name, column in found.items()}
-        return found, right
-    return found, None
+        columns = {name: column[right] for name, column in columns.items()}
+        return columns, right
+    return columns, None
 
 
 def _leaves(parameters: tuple[Parameter, ...], record: Array, prefix: str) -> Iterator[tuple[str, Parameter, Array]]:
@@ -132,6 +132,6 @@ def _leaves(parameters: tuple[Parameter, ...], record: Array, prefix: str) -> It
 def texts(column: Array) -> Array:
     """Characters, one byte each, as str: all of them, zeros too."""
     flat = np.ascontiguousarray(column).reshape(-1, column.shape[-1])
-    found = np.empty(len(flat), object)
-    found[:] = [row.tobytes().decode("latin-1") for row in flat]
-    return found.reshape(column.shape[:-1])
+    strings = np.empty(len(flat), object)
+    strings[:] = [row.tobytes().decode("latin-1") for row in flat]
+    return strings.reshape(column.shape[:-1])

@@ -111,16 +111,16 @@ class Log:
             data, length = self._source.piece(begin, limit, scan.AHEAD)
             piece = self._kept.get(begin)
             if piece is None:
-                found = scan.packets(data, max(0, free - begin), limit, length)
-                piece = Piece(begin, limit, number, found.at, found.end)
+                packets = scan.packets(data, max(0, free - begin), limit, length)
+                piece = Piece(begin, limit, number, packets.at, packets.end)
                 if number < _KEPT:
                     self._kept[begin] = piece
             else:
                 again = fields and piece.runs is None
                 groups = scan.grouped(data, piece.at) if again else []
-                found = scan.Found(piece.at, piece.end, groups)
+                packets = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
-                piece.runs = walk.runs(data, found)
+                piece.runs = walk.runs(data, packets)
             own = copy(piece)  # other requests may look at the same piece meanwhile
             own.data = data
             yield own

@@ -47,9 +47,9 @@ class Kernel:
         place, number = ctypes.c_void_p, ctypes.c_int64
 
         def function(name: str, result: Any, *arguments: Any) -> Any:
-            found = getattr(loaded, name)
-            found.restype, found.argtypes = result, arguments
-            return found
+            call = getattr(loaded, name)
+            call.restype, call.argtypes = result, arguments
+            return call
 
         self._packets = function("mip_packets", number, place, number, number, number, number, place, place)
         self._count = function("mip_count", number, place, place, number, place, place)

@@ -34,9 +34,9 @@ class Piece:
 
     def bare(self) -> Piece:
         """The same without the fields."""
-        found = Piece(self.begin, self.size, self.number, self.at, self.end)
-        found._sets = self._sets
-        return found
+        copy = Piece(self.begin, self.size, self.number, self.at, self.end)
+        copy._sets = self._sets
+        return copy
 
 
 class Where:
@@ -83,8 +83,8 @@ class Where:
         """Each of their descriptor sets."""
         if self._only:
             return [self._only]
-        found: list[int] = np.flatnonzero(np.bincount(self.set(), minlength=1)).tolist()
-        return found
+        numbers: list[int] = np.flatnonzero(np.bincount(self.set(), minlength=1)).tolist()
+        return numbers
 
     def _joined(self, parts: list[Array], dtype: type[Any]) -> Array:
         whole = np.concatenate(parts) if parts else np.zeros(0, dtype)

@@ -20,7 +20,7 @@ def _column(polars: Any, one: Series, name: str) -> Any:
     values, mask = one.values, one.mask
     if isinstance(values, Ragged) or values.ndim > 1 or values.dtype == object:
         return polars.Series(name, objects(one))
-    found = polars.Series(name, np.ascontiguousarray(values))
+    series = polars.Series(name, np.ascontiguousarray(values))
     if values.dtype.kind == "M":
-        found = found.dt.replace_time_zone("UTC")
-    return found if mask is None else found.scatter(np.flatnonzero(mask), None)
+        series = series.dt.replace_time_zone("UTC")
+    return series if mask is None else series.scatter(np.flatnonzero(mask), None)

@@ -79,10 +79,10 @@ class Reader:
 
     def add(self, piece: Piece) -> None:
         """Adds what is in a piece."""
-        found = self._fields(piece)
-        if found is None:
+        places = self._fields(piece)
+        if places is None:
             return
-        packet, offset = found
+        packet, offset = places
         if self._rows is not None:
             self._rows.add(piece, packet, offset)
         else:
@@ -135,6 +135,6 @@ class Reader:
         if self._set is None and self._sets:
             self._one_of(sorted({run.set for piece in self._log.pieces() for run in self._runs(piece)}))
         for piece in self._log.pieces():
-            found = self._fields(piece)
-            if found is not None:
-                yield from (v for v in self._decoded(piece, *found) if v is not None)
+            places = self._fields(piece)
+            if places is not None:
+                yield from (v for v in self._decoded(piece, *places) if v is not None)

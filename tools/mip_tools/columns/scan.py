@@ -109,7 +109,7 @@ def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
 def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array, Array]:
     """Begin, end, and set with length, of byte sequences with the form of a packet."""
     limit = min(limit, length - OVERHEAD + 1)
-    found = []
+    forms = []
     for begin in range(first, limit, _PART):
         at = np.flatnonzero(data[begin : min(begin + _PART, limit)] == SYNC[0])
         at += begin
@@ -123,10 +123,10 @@ def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Arr
         right &= end <= length
         if not right.all():
             at, end, key = at[right], end[right], key[right]
-        found.append((at, end, key))
-    if not found:
+        forms.append((at, end, key))
+    if not forms:
         return _NONE, _NONE, _NONE.astype(np.uint16)
-    at, end, key = (np.concatenate(parts) for parts in zip(*found))
+    at, end, key = (np.concatenate(parts) for parts in zip(*forms))
     return at, end, key
 
 

@@ -81,8 +81,8 @@ def dtype(clock: str) -> str:
 def chosen(log: Log, sets: list[int]) -> str:
     """The first clock that has a valid timestamp in packets of each of these sets, else of any."""
     has = {clock: [stamps(log, number, clock).some for number in sets] for clock in CLOCKS}
-    every = [clock for clock, found in has.items() if found and all(found)]
-    return next(iter([*every, *(clock for clock, found in has.items() if any(found)), ""]))
+    every = [clock for clock, present in has.items() if present and all(present)]
+    return next(iter([*every, *(clock for clock, present in has.items() if any(present)), ""]))
 
 
 def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:

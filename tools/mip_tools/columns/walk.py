@@ -25,13 +25,13 @@ class Run(NamedTuple):
     offset: int | Array  # of the data in the payload
 
 
-def runs(data: Array, found: scan.Found) -> list[Run]:
+def runs(data: Array, packets: scan.Found) -> list[Run]:
     """All fields of these packets."""
-    if native.kernel is not None and (known := native.kernel.fields(data, found.at)) is not None:
+    if native.kernel is not None and (known := native.kernel.fields(data, packets.at)) is not None:
         return [Run(*fields) for fields in known]
     fields: list[Run] = []
-    alone = np.ones(len(found.at), bool)
-    for group in found.groups:
+    alone = np.ones(len(packets.at), bool)
+    for group in packets.groups:
         alone[group.number] = False
         number, rows = group.number, group.rows
         for _ in range(_LAYOUTS):
@@ -41,11 +41,11 @@ def runs(data: Array, found: scan.Found) -> list[Run]:
         alone[number] = True
     left = np.flatnonzero(alone)
     if len(left):
-        _walk(data, found.at, found.end, left, fields)
+        _walk(data, packets.at, packets.end, left, fields)
     return fields
 
 
-def _alike(key: int, number: Array, rows: Array, found: list[Run]) -> tuple[Array, Array]:
+def _alike(key: int, number: Array, rows: Array, runs: list[Run]) -> tuple[Array, Array]:
     """Adds the fields of the packets that have the layout of the first one; returns the others."""
     fields, heads = _layout(rows[0, : HEADER + (key & 0xFF)].tobytes())
     same = np.ones(len(rows), bool)
@@ -53,7 +53,7 @@ def _alike(key: int, number: Array, rows: Array, found: list[Run]) -> tuple[Arra
         same &= rows[:, place] == byte
     alike = same.all()
     these = number if alike else number[same]
-    found += [Run(key >> 8, d, size, these, offset) for d, size, offset in fields]
+    runs += [Run(key >> 8, d, size, these, offset) for d, size, offset in fields]
     if alike:
         return number[:0], rows[:0]
     np.logical_not(same, out=same)
@@ -75,7 +75,7 @@ def _layout(row: bytes) -> tuple[list[tuple[int, int, int]], list[tuple[int, int
     return fields, heads
 
 
-def _walk(data: Array, at: Array, end: Array, packet: Array, found: list[Run]) -> None:
+def _walk(data: Array, at: Array, end: Array, packet: Array, runs: list[Run]) -> None:
     """Adds the fields of these packets: the first ones of all, the second ones, …"""
     begin = at[packet]
     stop, place = end[packet] - 2, begin + HEADER
@@ -100,21 +100,21 @@ def _walk(data: Array, at: Array, end: Array, packet: Array, found: list[Run]) -
         for first, after in zip([0, *cuts], [*cuts, len(key)]):
             what = int(key[first])
             rows = slice(first, after)
-            found.append(Run(int(number[first]), what >> 8, (what & 255) - 2, packet[rows], offset[rows]))
+            runs.append(Run(int(number[first]), what >> 8, (what & 255) - 2, packet[rows], offset[rows]))
 
 
-def places(found: list[Run], packets: int) -> tuple[Array, Array]:
+def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
     """Packet, and offset in its payload, of all fields of these runs, in the order of the log."""
-    if len(found) == 1:
-        return found[0].packet, _filled(found[0], found[0].offset)
+    if len(runs) == 1:
+        return runs[0].packet, _filled(runs[0], runs[0].offset)
     slot = np.zeros(packets, np.uint8)
-    for run in found:
+    for run in runs:
         slot[run.packet] = run.offset
     packet = np.flatnonzero(slot)
-    if len(packet) == sum(len(run.packet) for run in found):  # no packet has two of them
+    if len(packet) == sum(len(run.packet) for run in runs):  # no packet has two of them
         return packet, slot[packet]
-    packet = np.concatenate([run.packet for run in found])
-    offset = np.concatenate([_filled(run, run.offset) for run in found])
+    packet = np.concatenate([run.packet for run in runs])
+    offset = np.concatenate([_filled(run, run.offset) for run in runs])
     order = np.lexsort((offset, packet))
     return packet[order], offset[order]
 

@@ -76,12 +76,12 @@ def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str,
         return value.number
     if value.names or value.bits:
         return named(p.type, value.names or value.bits)
-    found = quantity(device, value.quantity, context)
+    shown = quantity(device, value.quantity, context)
     if p.type is not None and isinstance(p.type, type) and issubclass(p.type, Structure):
-        return tuple(p.type(*item) for item in found)
-    if isinstance(found, Sequence) or p.kind == "text":
-        return found
-    scaled = found * value.factor
+        return tuple(p.type(*item) for item in shown)
+    if isinstance(shown, Sequence) or p.kind == "text":
+        return shown
+    scaled = shown * value.factor
     return float(scaled) if p.scalar in ("float", "double") else bool(scaled) if p.scalar == "bool" else int(scaled)
 
 

@@ -192,19 +192,19 @@ def _profile(name: str | None) -> Device:
 
 
 def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
-    found = [pty_at(path) for path in options.pty] + [tcp_at(text) for text in options.tcp]
+    endpoints = [pty_at(path) for path in options.pty] + [tcp_at(text) for text in options.tcp]
     for text in options.port:
         name, _, where = text.partition("=")
         kind, _, place = where.partition(":")
         if kind not in ("pty", "tcp"):
             raise Misuse(f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT")
         port = port_named(profile, name).name
-        found.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
-    paths = [e.path for e in found if e.path]
+        endpoints.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
+    paths = [e.path for e in endpoints if e.path]
     for path in paths:
         if paths.count(path) > 1:
             raise Misuse(f"{path} is given for two terminals; choose different paths")
-    return found or [pty_at("")]
+    return endpoints or [pty_at("")]
 
 
 def _signal(text: str) -> tuple[int, float]:

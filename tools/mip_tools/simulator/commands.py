@@ -86,9 +86,9 @@ def _done(device: VirtualDevice, link: Link, command: Command) -> tuple[Group, O
     if not command.answered or _silenced(device, command):
         return (), outcome
     answer = [_acknowledge(kind.SET, kind.DESCRIPTOR, OK)]
-    found = response(device, command)
-    if found is not None:
-        answer.append(RawField(kind.SET, found.DESCRIPTOR, found.encode()))
+    made = response(device, command)
+    if made is not None:
+        answer.append(RawField(kind.SET, made.DESCRIPTOR, made.encode()))
     return answer, outcome
 
 

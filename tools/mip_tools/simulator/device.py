@@ -232,8 +232,8 @@ class VirtualDevice:
         link.heard = self.now
         self._taken(link, link.parser.feed(data))
 
-    def _taken(self, link: Link, found: Iterable[Packet]) -> None:
-        for packet in found:
+    def _taken(self, link: Link, packets: Iterable[Packet]) -> None:
+        for packet in packets:
             if packet.set < 0x80:
                 self._answer(link, packet)
 
@@ -350,13 +350,13 @@ class VirtualDevice:
 
     def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
         """Makes the data of a field for this moment. Each channel counts from when it last sent a field."""
-        found = self._encoders.get((set, descriptor, channel))
-        if found is None:
+        encoder = self._encoders.get((set, descriptor, channel))
+        if encoder is None:
             kind = registry.types(set, descriptor)[0]
             encode = values.encoder(kind, self.profile, self.world, set, channel)
-            found = partial(_fields, set, descriptor, encode)
-            self._encoders[set, descriptor, channel] = found
-        return found
+            encoder = partial(_fields, set, descriptor, encode)
+            self._encoders[set, descriptor, channel] = encoder
+        return encoder
 
     def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
         """One set of data: fields by their descriptors; those that the device does not know are left out."""

@@ -123,8 +123,8 @@ class Pty:
         if events.poll(0):
             with suppress(BlockingIOError):
                 self.read()
-        found, self._flushed = self._flushed and self._full, False
-        return found
+        flushed, self._flushed = self._flushed and self._full, False
+        return flushed
 
     def write(self, data: bytes | memoryview) -> int:
         self._full = True

@@ -249,13 +249,13 @@ class Events:
 
 def _kept(old: dict[int, Any], settings: Iterable[Given], make: Any) -> dict[int, Any]:
     """Instance -> what it is; those whose arguments are as before are the same objects."""
-    found = {}
+    kept = {}
     for given in settings:
         if given["type"]:
             before = old.get(given["instance"])
             same = before is not None and before.given == given
-            found[given["instance"]] = before if same else make(given)
-    return found
+            kept[given["instance"]] = before if same else make(given)
+    return kept
 
 
 def can_watch(device: VirtualDevice, given: Given) -> bool:

@@ -57,14 +57,14 @@ class Difference:
 
 def difference(p: Parameter, device: str) -> Difference:
     """How it differs on a device (its id) as a whole."""
-    found: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
     for v in p.variants:
         if v.by == "device" and device in v.keys and not v.member:
-            found |= {k: x for k, x in v.changes.items() if k in ("default", "minimum", "maximum", "constant")}
+            changes |= {k: x for k, x in v.changes.items() if k in ("default", "minimum", "maximum", "constant")}
             only, kind = v.changes.get("only", ()), v.changes.get("type", p.type)
             if only and issubclass(kind, IntEnum):
-                found["values"] = frozenset(x.value for x in info(kind).values if x.name in only)
-    return Difference(**found)
+                changes["values"] = frozenset(x.value for x in info(kind).values if x.name in only)
+    return Difference(**changes)
 
 
 def _tuples(value: Any) -> Any:

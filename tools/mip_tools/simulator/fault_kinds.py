@@ -106,21 +106,21 @@ def parse_faults(text: str) -> dict[str, Plan]:
     >>> parse_faults("noise=0.01:16,noise@3")
     {'noise': Plan(rate=0.01, amount=16.0, places=frozenset({3}))}
     """
-    found: dict[str, Plan] = {}
+    plans: dict[str, Plan] = {}
     for part in filter(None, (p.strip() for p in text.split(","))):
         match = _PART.match(part)
         if match is None:
             raise Misuse(f"fault {part!r} cannot be read; write KIND=RATE, KIND=RATE:AMOUNT or KIND@N")
         kind, place = match["kind"], match["place"]
         for name in KINDS if kind == "all" else (kind,):
-            old = found.get(name)
+            old = plans.get(name)
             rate = _number(match["rate"], part) if match["rate"] else old.rate if old else 0.0
             amount = _number(match["amount"], part) if match["amount"] else None
             if amount is None and old is not None and KINDS[name].unit:
                 amount = old.amount
             places = (old.places if old else frozenset()) | ({int(place)} if place else set())
-            found[name] = plan(name, rate, amount, places)
-    return found
+            plans[name] = plan(name, rate, amount, places)
+    return plans
 
 
 def _number(text: str, part: str) -> float:

@@ -56,17 +56,17 @@ def enabled(device: VirtualDevice, set: int) -> bool:
 
 def streams(device: VirtualDevice, begin: int) -> list[Stream]:
     """The streams that the settings ask for, from a moment on."""
-    found = []
+    streams = []
     for set in sorted(data_sets(device.profile)):
         known = [(d, x) for x, d in of_set(device, set) if device.sends(set, x)]
         items = [(d, device.encoder(set, x)) for d, x in known]
         if items and enabled(device, set):
-            found.append(_stream(device, set, items, partial(device.send_fields, set), begin))
+            streams.append(_stream(device, set, items, partial(device.send_fields, set), begin))
     sentences = of_sentences(device)
     for set in sorted({entry.source_descriptor_set for entry in sentences}):
         entries = [(e.decimation, e) for e in sentences if e.source_descriptor_set == set]
-        found.append(_stream(device, set, entries, device.send_sentences, begin))
-    return found
+        streams.append(_stream(device, set, entries, device.send_sentences, begin))
+    return streams
 
 
 def _stream(device: VirtualDevice, set: int, items: list[tuple[int, Any]], fire: Any, begin: int) -> Stream:

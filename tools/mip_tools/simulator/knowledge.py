@@ -55,8 +55,8 @@ def _slots(device: VirtualDevice, limit: str) -> int:
 def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
     """Type and number of instances, of triggers or of actions."""
     names = TRIGGER_LIMITS if context["query"] == 1 else ACTION_LIMITS
-    found = [(number, _slots(device, limit)) for number, limit in names.items()]
-    return [(number, count) for number, count in found if count]
+    counts = [(number, _slots(device, limit)) for number, limit in names.items()]
+    return [(number, count) for number, count in counts if count]
 
 
 #: A slot without configuration.
@@ -83,12 +83,12 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
     """Type and state. A trigger in a test mode is active."""
     modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
-    found = []
+    rows = []
     for instance in _asked(device, context, TRIGGERS):
         mode = modes.get(instance, 0)
         state = {0: 0, 1: 0b010 | device.events.active(instance)}.get(mode, 0b111)
-        found.append((trigger_type(device, instance), state))
-    return found
+        rows.append((trigger_type(device, instance), state))
+    return rows
 
 
 def _action_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:

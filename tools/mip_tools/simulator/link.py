@@ -59,10 +59,10 @@ class Link:
 
     def due(self, now: int) -> list[bytes]:
         """What the device has to send by now."""
-        found = []
+        due = []
         while self._held and self._held[0][0] <= now:
-            found.append(heapq.heappop(self._held)[2])
-        return found
+            due.append(heapq.heappop(self._held)[2])
+        return due
 
     def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
         """The device sends bytes, each after a delay in nanoseconds. Without room, it drops them whole."""

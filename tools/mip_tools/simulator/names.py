@@ -22,7 +22,7 @@ def _named(kind: Any, names: tuple[str, ...]) -> int:
     members = kind.__members__
     if issubclass(kind, IntEnum):
         return next((int(members[n.upper()]) for n in names if n.upper() in members), 0)
-    found = 0
+    number = 0
     for name in names:
         bits, _, inner = name.partition(".")
         if bits.upper() not in members:
@@ -30,10 +30,10 @@ def _named(kind: Any, names: tuple[str, ...]) -> int:
         mask = int(members[bits.upper()])
         if inner:
             numbers: Any = type(getattr(kind(mask), bits))
-            found |= named(numbers, (inner,)) * (mask & -mask)
+            number |= named(numbers, (inner,)) * (mask & -mask)
         else:
-            found |= mask
-    return found
+            number |= mask
+    return number
 
 
 __all__ = ["named"]

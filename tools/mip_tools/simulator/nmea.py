@@ -204,10 +204,10 @@ def checksum(text: str) -> str:
     >>> checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
     '5D'
     """
-    found = 0
+    value = 0
     for byte in text.encode("ascii"):
-        found ^= byte
-    return f"{found:02X}"
+        value ^= byte
+    return f"{value:02X}"
 
 
 __all__ = ["checksum", "known", "sentences"]

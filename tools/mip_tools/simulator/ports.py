@@ -79,7 +79,7 @@ def with_baud_rates(device: VirtualDevice, number: int | None) -> Port | None:
 
 def baud_rates(device: VirtualDevice) -> dict[str, int]:
     """The baud rates of the ports that have one, by their names."""
-    found: dict[str, int] = {}
+    rates: dict[str, int] = {}
     for name, behavior in COMMANDS.items():
         if behavior.effect != "baud_rate" or not device.knows(name):
             continue
@@ -87,8 +87,8 @@ def baud_rates(device: VirtualDevice) -> dict[str, int]:
         for port in device.profile.ports if "port" in behavior.arguments else (one,):
             if port is not None and port.baud_rates:
                 asked = asking(name, () if port.id is None else (port.id,))
-                found[port.name] = arguments(device.settings.current(asked))["baud"]
-    return found
+                rates[port.name] = arguments(device.settings.current(asked))["baud"]
+    return rates
 
 
 def arrange(device: VirtualDevice) -> None:

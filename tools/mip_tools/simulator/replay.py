@@ -152,14 +152,14 @@ class Replay:
         for names in alternatives:
             for set, descriptor in sorted(self._recorded, reverse=True):
                 times, groups = self._recorded[set, descriptor]
-                found = _Series([], [])
+                series = _Series([], [])
                 for time, group in zip(times, groups):
                     value = _shown(set, descriptor, group[0], names)
                     if value is not None:
-                        found.times.append(time)
-                        found.values.append(_standard(names[0], value))
-                if found.times:
-                    return found
+                        series.times.append(time)
+                        series.values.append(_standard(names[0], value))
+                if series.times:
+                    return series
         return _Series([0.0], [_REST[alternatives[0][0]]])
 
 
@@ -194,15 +194,15 @@ def _even(packets: Sequence[Packet], rate: float) -> list[int]:
 
 def _clocks(packet: Packet) -> dict[str, int]:
     """The clocks of a packet in ns, GPS time since its epoch. One that is not valid runs nevertheless."""
-    found: dict[str, int] = {}
+    clocks: dict[str, int] = {}
     for raw in _fields(packet):
         reference = _shown(raw.set, raw.descriptor, raw.data, (REFERENCE,), valid=False)
         if reference is not None:
-            found.setdefault(REFERENCE, int(reference[0]))
+            clocks.setdefault(REFERENCE, int(reference[0]))
         tow = _shown(raw.set, raw.descriptor, raw.data, (GPS, "gps.week"), valid=False)
         if tow is not None:
-            found.setdefault(GPS, int(tow[1]) * WEEK + round(tow[0] * SECOND))
-    return found
+            clocks.setdefault(GPS, int(tow[1]) * WEEK + round(tow[0] * SECOND))
+    return clocks
 
 
 @cache
@@ -226,7 +226,7 @@ def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str], valid: 
         field = kind.decode(data)
     except DecodeError:
         return None
-    found = []
+    values = []
     for p, factor in places:
         for said in p.valid if valid else ():
             flags, _, bit = said.partition(".")
@@ -237,8 +237,8 @@ def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str], valid: 
         scaled = tuple(x / factor for x in value) if p.elements else value if factor == 1 else value / factor
         if any(x != x for x in (scaled if p.elements else (scaled,))):
             return None
-        found.append(scaled)
-    return found
+        values.append(scaled)
+    return values
 
 
 def _standard(name: str, value: list[Any]) -> Quaternion | Vector:

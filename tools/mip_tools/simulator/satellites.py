@@ -71,19 +71,19 @@ class Ephemeris(NamedTuple):
 def _constellation(
     name: str, signal: str, frequency: float, planes: int, axis: float, inclination: float, step: float = 0.0
 ) -> list[Satellite]:
-    found = []
+    satellites = []
     for i in range(24):
         plane, slot = i % planes, i // planes
         number = (i * 5) % 14 - 7 if step else 0
         node, anomaly = (2 * pi * plane / planes + axis * 1e-7, 2 * pi * (slot / (24 // planes) + plane / 24))
         bias = ((i * 7) % 24 - 11.5) * 1e-5
-        found.append(
+        satellites.append(
             Satellite(
                 name, i + 1, signal, frequency + number * step, number, axis, radians(inclination), node, anomaly,
                 sqrt(GM / axis**3), bias,
             )
         )  # fmt: skip
-    return found
+    return satellites
 
 
 SATELLITES: tuple[Satellite, ...] = (
@@ -136,7 +136,7 @@ def seen(
     t = gps / SECOND
     antenna = ecef(latitude, longitude, height)
     up = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude))
-    found = []
+    rows = []
     for s in SATELLITES:
         x, y, z = place(s, t)
         above = (x - antenna[0]) * up[0] + (y - antenna[1]) * up[1] + (z - antenna[2]) * up[2]
@@ -150,14 +150,14 @@ def seen(
         v = velocity(s, t - delay)
         rate = sum((a - b) * c for a, b, c in zip(v, moves, line)) / length
         doppler = -(rate + LIGHT * drift) * s.frequency / LIGHT
-        found.append((s, elevation, heading(n, e), length + LIGHT * (bias - s.clock_bias), doppler))
-    return tuple(Seen(i, len(found), *row) for i, row in enumerate(found, 1))
+        rows.append((s, elevation, heading(n, e), length + LIGHT * (bias - s.clock_bias), doppler))
+    return tuple(Seen(i, len(rows), *row) for i, row in enumerate(rows, 1))
 
 
 def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
     """Those of one constellation, counted anew."""
-    found = [s for s in satellites if s.satellite.constellation == constellation]
-    return tuple(s._replace(number=i, of=len(found)) for i, s in enumerate(found, 1))
+    kept = [s for s in satellites if s.satellite.constellation == constellation]
+    return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
 def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:

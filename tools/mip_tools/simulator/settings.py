@@ -65,11 +65,11 @@ def place(command: Command) -> Place:
     """Where the setting of a command is kept."""
     kind = type(command)
     behavior, owner = COMMANDS.get(kind.NAME, NOTHING), home(kind)
-    found = []
+    numbers = []
     for name in keys(owner):
         value = behavior.key.get(name, getattr(command, name, None))
-        found.append(behavior.translate.get(name, {}).get(value, value) if value is not None else 0)
-    return owner.NAME, tuple(int(v) for v in found)
+        numbers.append(behavior.translate.get(name, {}).get(value, value) if value is not None else 0)
+    return owner.NAME, tuple(int(v) for v in numbers)
 
 
 def asking(name: str, key: Sequence[int]) -> Command:
@@ -161,8 +161,8 @@ class Settings:
             given[form] = wanted
         elif behavior.effect in views.ORIENTATIONS and type(kept) is not kind:
             matrix = views.matrix(COMMANDS[kept.NAME].effect, arguments(kept))
-            found = views.values(behavior.effect, matrix, bool(behavior.arguments.get("inverse")))
-            given |= {str(behavior.arguments[name]): value for name, value in found.items()}
+            values = views.values(behavior.effect, matrix, bool(behavior.arguments.get("inverse")))
+            given |= {str(behavior.arguments[name]): value for name, value in values.items()}
         return _write(kind, given)
 
     # ----------------------------------------------------------------------- file
@@ -195,14 +195,14 @@ def arguments(command: Command) -> dict[str, Any]:
     """The arguments of the effect of a command."""
     behavior = COMMANDS.get(command.NAME, NOTHING)
     varied = {p.name: p for p in reflection.info(type(command)).parameters if p.variants}
-    found: dict[str, Any] = {}
+    arguments: dict[str, Any] = {}
     for name, given in behavior.arguments.items():
         value = _member(command, given) if isinstance(given, str) else given
         if given in varied:  # a number whose meaning depends on another one
             value = meant(varied[str(given)].of(command), value)
         table = behavior.translate.get(given, {}) if isinstance(given, str) else {}
-        found[name] = table.get(value, value) if isinstance(value, int) else value
-    return found
+        arguments[name] = table.get(value, value) if isinstance(value, int) else value
+    return arguments
 
 
 def _member(value: Any, path: str) -> Any:

@@ -51,13 +51,13 @@ class Stream:
 
 def packets(set: int, fields: Iterable[RawField]) -> list[bytes]:
     """Fields in as few packets as their order allows; shared fields at the front are repeated in each."""
-    found: list[bytes] = []
+    packets: list[bytes] = []
     front: list[RawField] = []
     builder, size, leading = PacketBuilder(set), 0, True
     for field in fields:
         more = len(field.data) + 2
         if size + more > MAX_PAYLOAD:
-            found.append(bytes(builder.build()))
+            packets.append(bytes(builder.build()))
             builder, size = PacketBuilder(set), 0
             room = MAX_PAYLOAD - more
             for shared in front if sum(len(s.data) + 2 for s in front) <= room else ():
@@ -69,25 +69,25 @@ def packets(set: int, fields: Iterable[RawField]) -> list[bytes]:
             leading = False
         builder.add(field.descriptor, field.data)
         size += more
-    found.append(bytes(builder.build()))
-    return found
+    packets.append(bytes(builder.build()))
+    return packets
 
 
 def answers(set: int, groups: Iterable[Sequence[RawField]]) -> list[bytes]:
     """Acknowledges with their responses, which are never separated, in as few packets as possible."""
-    found: list[bytes] = []
+    packets: list[bytes] = []
     builder, size = PacketBuilder(set), 0
     for group in groups:
         more = sum(len(f.data) + 2 for f in group)
         if size and size + more > MAX_PAYLOAD:
-            found.append(bytes(builder.build()))
+            packets.append(bytes(builder.build()))
             builder, size = PacketBuilder(set), 0
         for field in group:
             builder.add(field.descriptor, field.data)
         size += more
     if size:
-        found.append(bytes(builder.build()))
-    return found
+        packets.append(bytes(builder.build()))
+    return packets
 
 
 __all__ = ["SECOND", "Stream", "answers", "packets"]

@@ -108,10 +108,10 @@ def _packer(layout: str) -> Callable[..., bytes]:
 
 
 def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
-    found: tuple[Any, ...] = ()
+    values: tuple[Any, ...] = ()
     for read in readers:
-        found += read(item)
-    return found
+        values += read(item)
+    return values
 
 
 def _readers(
@@ -157,13 +157,13 @@ def _always(values: tuple[Any, ...]) -> Reader:
 
 def _valid(kind: type[Field], source: FieldValues, flags: str, type_: type[IntFlag]) -> int:
     """The flags of all parameters that show something."""
-    found = 0
+    bits = 0
     for p in reflection.info(kind).parameters:
         for said in p.valid if p.name in source.parameters else ():
             name, _, bit = said.partition(".")
             if name == flags and bit:
-                found |= named(type_, (bit,))
-    return found
+                bits |= named(type_, (bit,))
+    return bits
 
 
 def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...]:
@@ -256,10 +256,10 @@ def _names(function: Function, type_: type[IntEnum] | type[IntFlag], world: Worl
     """Numbers of names; a quantity may be a number too."""
 
     def read(item: Any) -> tuple[Any, ...]:
-        found = function(world, item)
-        if isinstance(found, int):
-            return (found,)
-        return (named(type_, (found,) if isinstance(found, str) else tuple(found)),)
+        value = function(world, item)
+        if isinstance(value, int):
+            return (value,)
+        return (named(type_, (value,) if isinstance(value, str) else tuple(value)),)
 
     return read
 

@@ -38,8 +38,8 @@ EULER, QUATERNION = 1, 2
 
 def matrix(effect: str, values: Values) -> Matrix:
     """From the sensor to the vehicle. Some devices are given the inverse."""
-    found = ORIENTATIONS[effect][0](values)
-    return transposed(found) if values.get("inverse") else found
+    made = ORIENTATIONS[effect][0](values)
+    return transposed(made) if values.get("inverse") else made
 
 
 def values(effect: str, matrix: Matrix, inverse: bool) -> Values:
@@ -57,8 +57,8 @@ def rotation(given: Any, as_given: int, wanted: int) -> Any:
     """The rotation of a frame, as Euler angles or as a quaternion."""
     if given is None or as_given == wanted:
         return given
-    found = of_euler(*given) if as_given == EULER else of_quaternion(given)
-    return to_euler(found) if wanted == EULER else to_quaternion(found)
+    matrix = of_euler(*given) if as_given == EULER else of_quaternion(given)
+    return to_euler(matrix) if wanted == EULER else to_quaternion(matrix)
 
 
 __all__ = ["ORIENTATIONS", "is_rotation", "matrix", "rotation", "values"]

@@ -45,7 +45,7 @@ def read_waypoints(path: str | Path) -> list[Waypoint]:
         raise MotionError(f"track: cannot read {path}: {error.strerror}") from None
     except UnicodeDecodeError:
         raise MotionError(f"track: {path} is not a text file in UTF-8") from None
-    found: list[Waypoint] = []
+    waypoints: list[Waypoint] = []
     first = True
     for number, row in enumerate(csv.reader(text.splitlines()), 1):
         cells = [cell.strip() for cell in row]
@@ -64,8 +64,8 @@ def read_waypoints(path: str | Path) -> list[Waypoint]:
                 f"{path}:{number}: {len(values)} numbers; a waypoint has latitude, longitude, height and optionally "
                 "speed"
             )
-        found.append(Waypoint(*values))
-    return found
+        waypoints.append(Waypoint(*values))
+    return waypoints
 
 
 __all__ = ["Waypoint", "check", "read_waypoints"]

@@ -115,10 +115,10 @@ class World:
     @property
     def state(self) -> State:
         """How the body moves, at this time."""
-        found = self._state
-        if found is None:
-            found = self._state = self.motion.at(self.time)
-        return found
+        state = self._state
+        if state is None:
+            state = self._state = self.motion.at(self.time)
+        return state
 
     def once(self, name: str, make: Callable[[], T]) -> T:
         """What is made at most once at each time."""

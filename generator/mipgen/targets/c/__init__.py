@@ -72,10 +72,10 @@ def present(made: list[File]) -> list[str]:
 
 def packages(model: m.Model, made: list[File]) -> Iterator[File]:
     """What build systems and package managers read: version, sources and headers, of the runtime too."""
-    found = present(made)
+    names = present(made)
     facts = {
-        "sources": [name for name in found if name.endswith(".c")],
-        "headers": [name for name in found if name.endswith(".h")],
+        "sources": [name for name in names if name.endswith(".c")],
+        "headers": [name for name in names if name.endswith(".h")],
         "soversion": ".".join(model.protocol.version.split(".")[:2]),
         "summary": f"The {model.protocol.title}",
         "keywords": list(

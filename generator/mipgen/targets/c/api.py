@@ -24,15 +24,15 @@ def symbol(thing: m.Type | m.Field) -> str:
 def symbols(model: m.Model) -> Iterator[Symbols]:
     for x in things(model):
         if isinstance(x, m.Field):
-            found = [i.name for i in of_field(x) if i.scope == "C"] + [*calls.identifiers(x, model)]
+            others = [i.name for i in of_field(x) if i.scope == "C"] + [*calls.identifiers(x, model)]
             name = symbol(x)
         elif isinstance(x, m.Vector):
             continue  # an array
         else:
             typed = not isinstance(x, m.Enum) or names.is_enum(x)  # else it has numbers and no type
-            found = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
+            others = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
             name = symbol(x) if typed else f"{symbol(x)}_name"
-        yield Symbols(x, name, tuple(n for n in found if n != name))
+        yield Symbols(x, name, tuple(n for n in others if n != name))
 
 
 def writing(model: m.Model) -> dict[str, Any]:
@@ -54,13 +54,13 @@ def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
     for call in calls.calls(f, model):
         if call.whole and made:
             continue  # with optional parameters
-        found: dict[str, Any] = {"name": call.name}
+        row: dict[str, Any] = {"name": call.name}
         if call.way is not None and call.way.function is not None:
-            found["function"] = call.way.function.name
+            row["function"] = call.way.function.name
         if call.way is not None:
-            found["takes"] = [p.name for p in call.given]
+            row["takes"] = [p.name for p in call.given]
         if call.whole:
-            found["whole"] = True
+            row["whole"] = True
         if call.response is not None:
-            found["response"] = call.response.full_name
-        yield found
+            row["response"] = call.response.full_name
+        yield row

@@ -139,14 +139,14 @@ def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str
 
 def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Part]:
     """Neighbours of one kind are one step."""
-    found: list[Step | Numbers | Part] = []
+    joined: list[Step | Numbers | Part] = []
     for s in steps:
-        last = found[-1] if found else None
+        last = joined[-1] if joined else None
         if isinstance(s, Numbers) and isinstance(last, Numbers) and s.macro == last.macro and last.joins:
-            found[-1] = replace(last, count=last.count + s.count, joins=s.joins)
+            joined[-1] = replace(last, count=last.count + s.count, joins=s.joins)
         else:
-            found.append(s)
-    return found
+            joined.append(s)
+    return joined
 
 
 def _steps(parameters: Iterable[m.Parameter], base: str, record: str = "") -> Iterator[Step | Numbers | Part]:

@@ -61,12 +61,12 @@ def commands(family: m.Family) -> list[m.Field]:
 def sends(f: m.Field, model: m.Model) -> list[Send]:
     """One function; for a command that has several responses, or layouts of them, one for each."""
     what = f"Adds the command to a packet and waits for its answer: see mip_client_send. {f.title}."
-    found = model.responses(f)
-    if len(found) == 1:
+    responses = model.responses(f)
+    if len(responses) == 1:
         where = "If the command requests the response, it is stored in `response`, which may be NULL."
-        return [Send(_name("send", f), found[0], [f"{what} {where}"])]
+        return [Send(_name("send", f), responses[0], [f"{what} {where}"])]
     plain = Send(_name("send", f), None, [what])
-    return [plain, *(Send(_name("send_for", r), r, [f"{what} The answer is this response."]) for r in found)]
+    return [plain, *(Send(_name("send_for", r), r, [f"{what} The answer is this response."]) for r in responses)]
 
 
 # --------------------------------------------------------------------------- calls
@@ -77,9 +77,9 @@ def calls(f: m.Field, model: m.Model) -> list[Call]:
     if not members(f):
         return list(_ways(f, None, model))
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
-    found = model.responses(f)
+    responses = model.responses(f)
     doc = f"{f.title}: calls the command with these values, including optional parameters. See mip_device_call."
-    response = found[0] if len(found) == 1 else None
+    response = responses[0] if len(responses) == 1 else None
     return [*made, Call(f"{_name('call', f)}_with", f, response, [doc], whole=True)]
 
 

@@ -36,7 +36,7 @@ def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
      */
     """
     blocks = [_wrapped(p, WIDTH - indent - len(" * ")) for p in paragraphs]
-    lines = [line for i, found in enumerate(blocks) for line in (["", *found] if i else found)]
+    lines = [line for i, block in enumerate(blocks) for line in (["", *block] if i else block)]
     if not lines:
         return ""
     if len(lines) == 1 and indent + len(lines[0]) + len("/**  */") <= WIDTH:
@@ -45,10 +45,10 @@ def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
 
 
 def _wrapped(paragraph: str, width: int) -> list[str]:
-    found: list[str] = []
+    lines: list[str] = []
     for line in paragraph.replace("*/", "* /").replace("/*", "/ *").splitlines():
-        found += wrapped(line, width, "  " * line.startswith("- "))
-    return found
+        lines += wrapped(line, width, "  " * line.startswith("- "))
+    return lines
 
 
 def reference(r: describe.Ref) -> str:
@@ -192,5 +192,5 @@ def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.B
 
 
 def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
-    found = describe.sources(thing)
-    return ["\n".join(f"- {source}" for source in found)] if found else []
+    cited = describe.sources(thing)
+    return ["\n".join(f"- {source}" for source in cited)] if cited else []

@@ -70,8 +70,8 @@ def string(text: str | None) -> str:
 _SPECIAL = re.compile(r'["\\]|[^ -~]')
 
 
-def _escaped(found: re.Match[str]) -> str:
-    return f"\\{found[0]}" if found[0] in '"\\' else "".join(f"\\{byte:03o}" for byte in found[0].encode("utf-8"))
+def _escaped(match: re.Match[str]) -> str:
+    return f"\\{match[0]}" if match[0] in '"\\' else "".join(f"\\{byte:03o}" for byte in match[0].encode("utf-8"))
 
 
 def version_number(version: str) -> int:

@@ -112,14 +112,14 @@ def silent(f: m.Field) -> str:
 
 def responses(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]]]:
     """The layouts of each response of a command, with the condition on its structure `v` under which it is sent."""
-    found = []
+    layouts = []
     for reply in model.replies(f):
         functions = [f"v->function == {macro('mip_function_selector')}_{macro(x.name)}" for x in reply.functions]
         tests = [" || ".join(functions)] if functions else []
         tests += map(holding, reply.when)
         condition = " && ".join(f"({t})" if "||" in t and len(tests) > 1 else t for t in tests)
-        found.append((condition, reply.layouts))
-    return found
+        layouts.append((condition, reply.layouts))
+    return layouts
 
 
 # --------------------------------------------------------------------------- bits

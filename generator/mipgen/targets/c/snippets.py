@@ -92,8 +92,8 @@ def _chosen(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
     replies = samples.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
     way = next((c.name for c in constructors(f) if c.function == shown.function), None)
-    found = [c for c in calls(f, samples.model) if (c.way.name if c.way else None) == way]
-    return next((c for c in found if c.response == wanted), found[0])
+    fitting = [c for c in calls(f, samples.model) if (c.way.name if c.way else None) == way]
+    return next((c for c in fitting if c.response == wanted), fitting[0])
 
 
 def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression], list[Expression]]:

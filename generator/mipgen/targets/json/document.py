@@ -61,8 +61,8 @@ def _laid_out(value: Any) -> str:
 
 def lines(f: m.Field, samples: SampleValues) -> str:
     """A field, one line for each attribute."""
-    found = _with_samples(f, samples)
-    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in found.items()) + "\n}"
+    attributes = _with_samples(f, samples)
+    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in attributes.items()) + "\n}"
 
 
 #: A value in one line.
@@ -141,25 +141,25 @@ def plain(value: Any) -> Any:
 
 def _attributes(thing: Any) -> dict[str, Any]:
     """The attributes of an object of the model, and what is added to them."""
-    found = {
+    attributes = {
         RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
         if (v := getattr(thing, name)) is not default and _said(v, default)  # most are the default itself
     }
     if isinstance(thing, (m.Field, m.Struct)):
-        found = _behind(found, "parameters", "operations", operations(thing))
+        attributes = _behind(attributes, "parameters", "operations", operations(thing))
     match thing:
         case m.Parameter():
-            return _parameter(thing, found)
+            return _parameter(thing, attributes)
         case m.Field():
-            return _field(thing, found)
+            return _field(thing, attributes)
         case m.Variant() if thing.only:
-            return {**found, "only": [x.name for x in thing.only]}
+            return {**attributes, "only": [x.name for x in thing.only]}
         case m.Vector():
-            return {"kind": thing.kind, **found}
+            return {"kind": thing.kind, **attributes}
         case m.Enum() | m.Bitfield() | m.Struct():
-            return {"kind": thing.kind, **found, "name": type_name(thing), "symbols": symbols(thing)}
-    return found
+            return {"kind": thing.kind, **attributes, "name": type_name(thing), "symbols": symbols(thing)}
+    return attributes
 
 
 #: Class -> the attributes that are written, and their defaults.
@@ -173,10 +173,10 @@ def _written(kind: type) -> list[tuple[str, Any]]:
     return _WRITTEN[kind]
 
 
-def _behind(found: dict[str, Any], place: str, name: str, value: Any) -> dict[str, Any]:
+def _behind(attributes: dict[str, Any], place: str, name: str, value: Any) -> dict[str, Any]:
     """The attributes with one more, behind another."""
-    at = [*found].index(place) + 1
-    items = [*found.items()]
+    at = [*attributes].index(place) + 1
+    items = [*attributes.items()]
     return dict([*items[:at], (name, value), *items[at:]])
 
 
@@ -184,32 +184,32 @@ def _said(value: Any, default: Any) -> bool:
     return value is not None and not (type(value) is type(default) and value == default)
 
 
-def _parameter(p: m.Parameter, found: dict[str, Any]) -> dict[str, Any]:
-    head = {"name": found.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
+def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
+    head = {"name": attributes.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
     cases = [{"tag": c.tag.name, **({"parameter": plain(c.parameter)} if c.parameter else {})} for c in p.cases]
-    return {**head, **found, **({"cases": cases} if cases else {})}
+    return {**head, **attributes, **({"cases": cases} if cases else {})}
 
 
-def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
+def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
     """Names are full: those of responses, and of the command that owns a response."""
-    found = {"set": f.set, **found, "name": f.full_name, "symbols": symbols(f)}
+    attributes = {"set": f.set, **attributes, "name": f.full_name, "symbols": symbols(f)}
     if [f.name_in(o.set) for o in f.occurrences] != [f.full_name]:
-        found["occurrences"] = [_occurrence(o, f) for o in f.occurrences]
+        attributes["occurrences"] = [_occurrence(o, f) for o in f.occurrences]
     if f.functions:
-        found["calls"] = [
+        attributes["calls"] = [
             {"function": c.function.name, "required": _names(c.required), "optional": _names(c.optional)}
             for c in f.calls
             if c.function is not None
         ]
     if f.responses:
-        found["responses"] = [f"{f.family}.{name}" for name in f.responses]
+        attributes["responses"] = [f"{f.family}.{name}" for name in f.responses]
     if f.command:
-        found["command"] = f"{f.family}.{f.command}"
+        attributes["command"] = f"{f.family}.{f.command}"
     if f.signature:
-        found["constants"] = [
+        attributes["constants"] = [
             {"offset": at, "size": len(octets), "value": int.from_bytes(octets, "big")} for at, octets in f.signature
         ]
-    return found
+    return attributes
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
@@ -221,27 +221,28 @@ def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
 
 
 def _occurrence(o: m.Occurrence, f: m.Field) -> dict[str, Any]:
-    found = _attributes(o)
-    del found["set_name"]
+    attributes = _attributes(o)
+    del attributes["set_name"]
     if o.title == f.title:
-        del found["title"]
-    return {"set": o.set, "name": f.name_in(o.set)} | found
+        del attributes["title"]
+    return {"set": o.set, "name": f.name_in(o.set)} | attributes
 
 
 def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
     """A field with the values that a user would send or see."""
-    found = _attributes(f)
+    attributes = _attributes(f)
     values = [samples.whole(f, c) for c in f.calls]
     if f.functions:
-        found["calls"] = [{**c, "typical": v} if v else c for c, v in zip(found["calls"], values, strict=True)]
+        calls = zip(attributes["calls"], values, strict=True)
+        attributes["calls"] = [{**c, "typical": v} if v else c for c, v in calls]
     elif values[0]:
-        found["typical"] = values[0]
-    return found
+        attributes["typical"] = values[0]
+    return attributes
 
 
 def _support(s: m.Support) -> dict[str, Any]:
-    found = _attributes(s) | {"field": s.name}
-    return {**found, "functions": _names(s.functions)} if s.differs else found
+    attributes = _attributes(s) | {"field": s.name}
+    return {**attributes, "functions": _names(s.functions)} if s.differs else attributes
 
 
 def _names(things: Iterable[m.Parameter | m.Function]) -> list[str]:
@@ -274,15 +275,15 @@ def operations(record: m.Field | m.Struct) -> list[dict[str, Any]]:
 
 
 def _operation(p: m.Parameter) -> dict[str, Any]:
-    found: dict[str, Any] = {"kind": p.kind, "member": p.name}
+    attributes: dict[str, Any] = {"kind": p.kind, "member": p.name}
     for name, attribute in _OPERATIONS[p.kind].items():
         value = getattr(p, attribute)
         if value is not None:
-            found[name] = _operation(value) if name == "item" else plain(value)
+            attributes[name] = _operation(value) if name == "item" else plain(value)
     if p.union:
-        found["tag_type"] = plain(p.union.type)
-        found["cases"] = [_case(c) for c in p.cases]
-    return found
+        attributes["tag_type"] = plain(p.union.type)
+        attributes["cases"] = [_case(c) for c in p.cases]
+    return attributes
 
 
 def _case(c: m.Case) -> dict[str, Any]:

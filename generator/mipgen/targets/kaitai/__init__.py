@@ -20,9 +20,9 @@ TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
 
 
 def files(model: m.Model) -> Iterator[File]:
-    found = kinds(model)
-    several = {home(fields): fields for _, _, fields in found if len(fields) > 1}
-    known = {"kinds": found, "several": several.items(), "kind": kind(model), "enums": enums(model)}
+    descriptors = kinds(model)
+    several = {home(fields): fields for _, _, fields in descriptors if len(fields) > 1}
+    known = {"kinds": descriptors, "several": several.items(), "kind": kind(model), "enums": enums(model)}
     yield File("mip.ksy", "mip.ksy.j2", known)
     yield File("README.md", "README.md.j2", {"readings": readings(model)})
 
@@ -56,11 +56,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
     """Every descriptor that can be decoded: its number (set, descriptor), its name in that set, and its layouts."""
-    found: dict[tuple[int, int], list[m.Field]] = {}
+    layouts: dict[tuple[int, int], list[m.Field]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for o in f.occurrences:
-            found.setdefault((o.set, f.descriptor), []).append(f)
-    return [(s << 8 | d, names.kind_name(fields[0], s), tuple(fields)) for (s, d), fields in sorted(found.items())]
+            layouts.setdefault((o.set, f.descriptor), []).append(f)
+    return [(s << 8 | d, names.kind_name(fields[0], s), tuple(fields)) for (s, d), fields in sorted(layouts.items())]
 
 
 def home(fields: tuple[m.Field, ...]) -> str:
@@ -93,17 +93,17 @@ def enums(model: m.Model) -> list[m.Enum]:
 
 def readings(model: m.Model) -> dict[str, list[str]]:
     """The parameters whose values have other names on each device, or by the value of another parameter."""
-    found: dict[str, list[str]] = {"device": [], "parameter": []}
+    places: dict[str, list[str]] = {"device": [], "parameter": []}
     holders: list[m.Record] = [*m.structs(model.all_types)]
     for record in (*holders, *records(model)):
         for p in record.parameters:
             named = [v for v in p.variants if v.type is not None or v.unknown]
             where = f"`{type_name(record)}.{member(p.name)}`"
             if p.by_device or any(v.by_device for v in named):
-                found["device"].append(where)
+                places["device"].append(where)
             if any(not v.by_device for v in named):
-                found["parameter"].append(where)
-    return found
+                places["parameter"].append(where)
+    return places
 
 
 # --------------------------------------------------------------------------- texts

@@ -198,12 +198,12 @@ class Segment:
 def segments(t: m.Bitfield) -> list[Segment]:
     """All bits of a bitfield in the order in which they are read: the most significant first in a number, the least
     significant first in bytes."""
-    found, at = [], 0
+    parts, at = [], 0
     for b in sorted((b for b in t.bits if not b.alias), key=lambda b: b.first):
-        found += [*_unused(at, b.first), Segment(member(b.name), b.first, b.width, b)]
+        parts += [*_unused(at, b.first), Segment(member(b.name), b.first, b.width, b)]
         at = b.last + 1
-    found += _unused(at, 8 * t.size)
-    return found if t.scalar is None else found[::-1]
+    parts += _unused(at, 8 * t.size)
+    return parts if t.scalar is None else parts[::-1]
 
 
 def _unused(first: int, end: int) -> Iterator[Segment]:

@@ -66,9 +66,9 @@ def generations(page: Page) -> list[Section]:
     return [
         Section(
             "Generation not known" if generation is None else f"Generation {generation}",
-            table([_device(page, d) for d in found], headings),
+            table([_device(page, d) for d in devices], headings),
         )
-        for generation, found in groupby(_by_generation(page.model), key=lambda d: d.generation)
+        for generation, devices in groupby(_by_generation(page.model), key=lambda d: d.generation)
     ]
 
 
@@ -108,8 +108,8 @@ def fields(page: Page, role: m.Role) -> list[Section]:
 
     headings = ["Descriptor", "Field", *(["Units"] if role == m.DATA else []), *map(page.link, devices)]
     of = page.model.fields_in
-    found = [(s, [row(f, s.number) for f in of(s) if f.role == role]) for s in page.model.sets]
-    return [Section(label(s), table(rows, headings)) for s, rows in found if rows]
+    by_set = [(s, [row(f, s.number) for f in of(s) if f.role == role]) for s in page.model.sets]
+    return [Section(label(s), table(rows, headings)) for s, rows in by_set if rows]
 
 
 def supported(d: m.Device, s: m.Support | None) -> str:
@@ -128,17 +128,17 @@ def missing(d: m.Device) -> str:
 
 def units(f: m.Field) -> list[str]:
     """The units in which a field measures."""
-    found = (u for row in layout(f) if row.parameter for u in row.parameter.units)
-    return list(dict.fromkeys(found))
+    symbols = (u for row in layout(f) if row.parameter for u in row.parameter.units)
+    return list(dict.fromkeys(symbols))
 
 
 def perhaps(page: Page, role: m.Role) -> str:
     """What the devices without columns may have; empty if there is nothing."""
     rows = []
     for d in others(page.model):
-        found = [s.field for s in d.supports if s.field.role == role]
+        fields = [s.field for s in d.supports if s.field.role == role]
         generation = UNKNOWN if d.generation is None else str(d.generation)
-        rows.append([page.link(d), generation, page.links(found) or UNKNOWN])
+        rows.append([page.link(d), generation, page.links(fields) or UNKNOWN])
     return table(rows, ["Device", "Generation", "Perhaps"]) if any(row[2] != UNKNOWN for row in rows) else ""
 
 
@@ -153,7 +153,7 @@ def rates(page: Page) -> list[Section]:
     limits = dict[str, m.Limit]()
     for x in (x for d in compared(model) for x in d.limits):
         limits.setdefault(x.name, x)
-    found = [
+    sections = [
         _matrix(page, "Base rates", "Set", [s for s in model.sets if s.kind == "data"], page.link, _rate),
         _matrix(page, "Ports and their protocols", "Port", ports, inline, _port),
         _matrix(page, "Baud rates", "Baud rate", bauds, str, _baud),
@@ -161,7 +161,7 @@ def rates(page: Page) -> list[Section]:
             page, "Limits", "Limit", limits.values(), lambda x: _named(page, x), lambda d, x: _limit(page, d, x.name)
         ),
     ]
-    return [s for s in found if s.table]
+    return [s for s in sections if s.table]
 
 
 def _matrix(

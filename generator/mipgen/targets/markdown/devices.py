@@ -18,19 +18,19 @@ def supported(page: Page, d: m.Device, s: m.Set) -> str:
 
 def perhaps(page: Page, d: m.Device) -> list[tuple[str, str]]:
     """The fields that a device may support, in a table for each evidence."""
-    found: dict[str, list[list[str]]] = {}
+    by_evidence: dict[str, list[list[str]]] = {}
     for x in d.supports:
         if x.evidence is not None:
             of = page.model.set(x.set)
             assert of is not None
-            found.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions, d)])
-    return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in found.items()]
+            by_evidence.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions, d)])
+    return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in by_evidence.items()]
 
 
 def differing(page: Page, d: m.Device) -> str:
     """The commands that take other functions on a device than their definition says."""
-    found = [s for s in d.supports if s.differs]
-    rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in found]
+    differing = [s for s in d.supports if s.differs]
+    rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in differing]
     return table(rows, ["Command", "Functions on this device", "All functions"]) if rows else ""
 
 

@@ -60,10 +60,10 @@ def misprints(x: m.Example) -> list[str]:
     return [plain(d) for d in differences(x)]
 
 
-def of_sections(found: Sequence[m.Example], manual: m.Manual) -> list[m.Example]:
+def of_sections(examples: Sequence[m.Example], manual: m.Manual) -> list[m.Example]:
     """The examples of a manual in the order in which it prints them: that of its sections."""
     order = {section: i for i, section in enumerate(manual.sections)}
-    return sorted((x for x in found if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
+    return sorted((x for x in examples if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
 
 
 # --------------------------------------------------------------------------- tables of bytes
@@ -93,8 +93,8 @@ class Shown:
 
 def shown_examples(page: Page, f: m.Field) -> list[Shown]:
     """The examples of a field and of its responses; if the manuals give none, one of typical values."""
-    found = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
-    return [Shown(x, packet_table(page, x)) for x in found.values() or [made(page, f)]]
+    examples = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
+    return [Shown(x, packet_table(page, x)) for x in examples.values() or [made(page, f)]]
 
 
 def made(page: Page, f: m.Field) -> m.Example:
@@ -183,9 +183,9 @@ def _value(p: m.Parameter, value: Any, around: Around) -> str:
 def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
     """A number that people know in this form, and the set or the field that it means."""
     number = descriptors.set_of(p, around.values, around.model) or around.fields_of
-    found = descriptors.meant(p, value, number, around.model)
+    meant = descriptors.meant(p, value, number, around.model)
     shown = code(descriptors.hexadecimal(p, value))
-    return f"{shown} {around.page.link(found, inline(found.title))}" if found else shown
+    return f"{shown} {around.page.link(meant, inline(meant.title))}" if meant else shown
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
@@ -229,13 +229,13 @@ def _flags(t: m.Bitfield, value: int) -> str:
     """
     parts, rest = [], value
     for b in t.bits:
-        found = (value & b.mask) >> b.first
+        number = (value & b.mask) >> b.first
         if b.alias:
             continue
         rest &= ~b.mask
-        if b.width > 1 and found:
-            parts.append(f"{code(b.name)} {_name(b.enum, found) if b.enum else found}")
-        elif found:
+        if b.width > 1 and number:
+            parts.append(f"{code(b.name)} {_name(b.enum, number) if b.enum else number}")
+        elif number:
             parts.append(code(b.name))
     if rest:
         parts.append(f"unnamed bits {code(hexadecimal(rest, t.size))}")

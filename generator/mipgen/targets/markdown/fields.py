@@ -33,8 +33,8 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
     """The length of a field with these parameters after `head` bytes."""
-    found = [code(e) if e.terms else str(e) for e in totals(parameters, Extent(head))]
-    return " or ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
+    lengths = [code(e) if e.terms else str(e) for e in totals(parameters, Extent(head))]
+    return " or ".join([", ".join(lengths[:-1]), lengths[-1]] if len(lengths) > 1 else lengths)
 
 
 def field_length(f: m.Field) -> str:

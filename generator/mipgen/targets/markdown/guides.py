@@ -127,14 +127,14 @@ def read(steps: Steps) -> list[m.Field]:
 
 def rates(page: Page, steps: Steps) -> list[str]:
     """How the rate of each stream comes about, on each device."""
-    found = {
+    rates = {
         f"{inline(d.title)}, {page.link(s.set)}: {hertz(r)} / {s.rate:g} Hz = decimation {r.hertz / s.rate:g}"
         for d in steps.devices
         for s in steps.streams
         for r in d.base_rates
         if s.rate and r.set.number == s.set.number and r.hertz
     }
-    return sorted(found)
+    return sorted(rates)
 
 
 def bandwidth(steps: Steps) -> str:

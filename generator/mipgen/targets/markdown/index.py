@@ -29,11 +29,11 @@ class Index:
 
     def errata(self, f: m.Field) -> list[m.Erratum]:
         """What is wrong in the sections that a field cites, in the lengths given for it, and in its examples."""
-        found = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
-        found += [e for x in self.examples(f) for e in self.errata_of_example(x)]
+        errata = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
+        errata += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command
-            found += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
-        return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
+            errata += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
+        return sorted({e.id: e for e in errata}.values(), key=lambda e: e.id)
 
     def errata_naming(self, f: m.Field) -> list[m.Erratum]:
         """Further errata whose texts name a field: they mention it besides their own subject."""
@@ -129,7 +129,7 @@ def _section(e: m.Erratum) -> tuple[str, str]:
 
 
 def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, list[Item]]:
-    found: dict[Key, list[Item]] = {}
+    groups: dict[Key, list[Item]] = {}
     for key, item in pairs:
-        found.setdefault(key, []).append(item)
-    return found
+        groups.setdefault(key, []).append(item)
+    return groups

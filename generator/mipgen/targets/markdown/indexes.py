@@ -92,10 +92,10 @@ def vendor(page: Page) -> list[Section]:
 
 def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str]) -> list[Section]:
     """A table for each letter; what begins with a digit comes first."""
-    found: dict[str, list[Sequence[str]]] = {}
+    by_letter: dict[str, list[Sequence[str]]] = {}
     for word, row in sorted(rows, key=lambda row: (row[0].lower(), row[1])):
-        found.setdefault("0 to 9" if word[:1].isdigit() else word[:1].upper(), []).append(row)
-    return [Section(letter, table(group, headings)) for letter, group in found.items()]
+        by_letter.setdefault("0 to 9" if word[:1].isdigit() else word[:1].upper(), []).append(row)
+    return [Section(letter, table(group, headings)) for letter, group in by_letter.items()]
 
 
 # --------------------------------------------------------------------------- by unit
@@ -103,17 +103,17 @@ def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str])
 
 def units(page: Page) -> list[Section]:
     """For each unit the parameters that have it, those of a device's own included."""
-    found: dict[str, list[list[str]]] = {u.symbol: [] for u in page.model.protocol.units}
+    by_unit: dict[str, list[list[str]]] = {u.symbol: [] for u in page.model.protocol.units}
     for f in (page.model.protocol.acknowledge, *page.model.fields):
         of_field: dict[str, dict[str, None]] = {}
         for symbol, link in _measured(page, f):
             of_field.setdefault(symbol, {})[link] = None
         for symbol, links in of_field.items():
-            found[symbol].append([page.link(f), ", ".join(links)])
+            by_unit[symbol].append([page.link(f), ", ".join(links)])
     titles = {u.symbol: u for u in page.model.protocol.units}
     return [
         Section(f"{inline(symbol)}: {inline(titles[symbol].title)}", table(rows, ["Field", "Parameters"]))
-        for symbol, rows in found.items()
+        for symbol, rows in by_unit.items()
         if rows
     ]
 
@@ -132,11 +132,11 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
 # --------------------------------------------------------------------------- by symbol
 
 
-def of_language(page: Page, found: Iterable[Symbols]) -> list[Section]:
+def of_language(page: Page, symbols: Iterable[Symbols]) -> list[Section]:
     """What a binding has for each field and type, a table for each set."""
     headings = ["Symbol", "Field or type", "Functions and constants"]
     rows: dict[str, list[list[str]]] = {}
-    for x in found:
+    for x in symbols:
         of = page.model.family(x.thing.owner or "")
         rows.setdefault(label(of) if of else "Protocol and common types", []).append(
             [code(x.name), page.link(x.thing), ", ".join(map(code, x.others))]

@@ -13,11 +13,11 @@ from .places import Page, field_page
 
 def related(page: Page, f: m.Field) -> list[m.Field]:
     """Fields that share its descriptor or its response, or are named where it is described."""
-    found: dict[str, m.Field] = {}
+    fields: dict[str, m.Field] = {}
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):
-            found.setdefault(g.full_name, g)
-    return sorted(found.values(), key=lambda g: (g.set, g.descriptor, g.name))
+            fields.setdefault(g.full_name, g)
+    return sorted(fields.values(), key=lambda g: (g.set, g.descriptor, g.name))
 
 
 def _related(page: Page, f: m.Field) -> Iterator[m.Field]:

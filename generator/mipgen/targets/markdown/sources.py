@@ -97,16 +97,16 @@ def severities(errata: Sequence[m.Erratum]) -> list[tuple[str, list[m.Erratum]]]
 
 def subjects(page: Page, e: m.Erratum) -> list[str]:
     """What an erratum is about: links to fields and examples."""
-    model, found = page.model, []
+    model, subjects = page.model, []
     examples = {x.id: x for x in model.examples}
     for c in e.claims:
         f = model.field(c.subject)
         if c.kind == "length" and f is not None:
-            found.append("length of " + page.link(f))
+            subjects.append("length of " + page.link(f))
         elif c.kind == "example":
-            found.append("example " + page.link(examples[c.subject]))
+            subjects.append("example " + page.link(examples[c.subject]))
         elif c.kind == "reference":
-            found.append(f"reference to {inline(f'({c.subject})')}, which no manual defines")
+            subjects.append(f"reference to {inline(f'({c.subject})')}, which no manual defines")
     claimed = {c.subject for c in e.claims if c.kind == "length"}
     fields = {f.full_name: f for f in page.index.fields_of_section(e)}
-    return found + [page.link(f) for name, f in fields.items() if name not in claimed]
+    return subjects + [page.link(f) for name, f in fields.items() if name not in claimed]

@@ -55,9 +55,9 @@ def code(text: object) -> str:
 
 def table(rows: Iterable[Sequence[str]], headings: Sequence[str]) -> str:
     """A table of finished cells; columns that are empty throughout are left out."""
-    found = [list(row) for row in rows]
-    kept = [i for i in range(len(headings)) if i == 0 or any(row[i] for row in found)]
-    lines = [[headings[i] for i in kept], ["---"] * len(kept), *([row[i] for i in kept] for row in found)]
+    whole = [list(row) for row in rows]
+    kept = [i for i in range(len(headings)) if i == 0 or any(row[i] for row in whole)]
+    lines = [[headings[i] for i in kept], ["---"] * len(kept), *([row[i] for i in kept] for row in whole)]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 

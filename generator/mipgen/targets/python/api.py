@@ -24,10 +24,10 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
     for x in things(model):
         of = names.class_name(x)
         if isinstance(x, m.Field):
-            found = [names.member(f.name) for f in x.functions]
+            others = [names.member(f.name) for f in x.functions]
         else:
-            found = [name for name, *_ in attributes(x)] if not isinstance(x, m.Struct) else []
-        yield Symbols(x, f"{PACKAGE}.{names.qualified(x)}", tuple(f"{of}.{name}" for name in found))
+            others = [name for name, *_ in attributes(x)] if not isinstance(x, m.Struct) else []
+        yield Symbols(x, f"{PACKAGE}.{names.qualified(x)}", tuple(f"{of}.{name}" for name in others))
 
 
 def writing(model: m.Model) -> dict[str, Any]:

@@ -129,11 +129,11 @@ def _variants(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
         if v.member:
             arguments.append(f"member={code(member(v.member))}")
         rows.append(f"Variant({', '.join(arguments)})")
-    found: Row = {"variants": f"({', '.join(rows)},)"} if rows else {}
+    row: Row = {"variants": f"({', '.join(rows)},)"} if rows else {}
     others = _flags_on(p, record)
     if others:
-        found["flags_on"] = _mapping({d: _flags(x) for d, x in others.items()})
-    return found
+        row["flags_on"] = _mapping({d: _flags(x) for d, x in others.items()})
+    return row
 
 
 def _mapping(row: Row) -> str:
@@ -144,7 +144,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
     """The attributes of a parameter that a variant has otherwise."""
     if v.member and isinstance(p.element, m.Struct):
         p = next(q for q in p.element.parameters if q.name == v.member)
-    found: dict[str, object] = {
+    changes: dict[str, object] = {
         "elements": v.elements or None,
         "units": v.units or None,
         "frame": v.frame,
@@ -156,7 +156,7 @@ def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
         "only": tuple(x.name for x in v.only) or None,
         "deprecated": v.deprecated,
     }
-    row = {k: code(x) for k, x in found.items() if x is not None}
+    row = {k: code(x) for k, x in changes.items() if x is not None}
     if v.type is not None:
         row["type"] = qualified(v.type)
     elif v.unknown:
@@ -176,14 +176,14 @@ def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> 
 
     Nothing if the device decides which bit it is, and is not known.
     """
-    found = []
+    flags = []
     for path in paths:
         name, _, bit = path.partition(".")
         mask = _mask(next(q for q in record.parameters if q.name == name), bit, device) if bit else 0
         if mask is None:
             return []
-        found.append((path, member(name), mask))
-    return found
+        flags.append((path, member(name), mask))
+    return flags
 
 
 def _mask(holder: m.Parameter, bit: str, device: str | None) -> int | None:
@@ -206,12 +206,12 @@ def _flags_on(p: m.Parameter, record: m.Record) -> dict[str, Flags]:
     holders = {path.partition(".")[0] for paths in (p.valid, *own.values()) for path in paths}
     readings = (v for q in record.parameters if q.name in holders for v in q.readings if v.by_device)
     usual = flags(p.valid, record)
-    found = {d: flags(own.get(d, p.valid), record, d) for d in dict.fromkeys((*own, *(v.key for v in readings)))}
-    return {d: vouching for d, vouching in found.items() if vouching != usual}
+    by_device = {d: flags(own.get(d, p.valid), record, d) for d in dict.fromkeys((*own, *(v.key for v in readings)))}
+    return {d: vouching for d, vouching in by_device.items() if vouching != usual}
 
 
-def _flags(found: Flags) -> str:
-    rows = [f"Flag({code(path)}, {code(attribute)}, 0x{mask:X})" for path, attribute, mask in found]
+def _flags(flags: Flags) -> str:
+    rows = [f"Flag({code(path)}, {code(attribute)}, 0x{mask:X})" for path, attribute, mask in flags]
     return f"({', '.join(rows)}{',' if len(rows) == 1 else ''})"
 
 

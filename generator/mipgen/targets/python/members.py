@@ -102,13 +102,13 @@ def by_place(record: m.Record) -> tuple[str, ...]:
 
 def initial(record: m.Record) -> list[str]:
     """The parameters of the constructor."""
-    found: list[str] = []
+    by_place: list[str] = []
     by_name: list[str] = []
     for p in members(record):
         value = default(p, record)
         given = f"{member(p.name)}: {accepted(p, record)}" + ("" if value is None else f" = {value}")
-        (by_name if keyword_only(p, record) else found).append(given)
-    return [*found, "*", *by_name] if by_name else found
+        (by_name if keyword_only(p, record) else by_place).append(given)
+    return [*by_place, "*", *by_name] if by_name else by_place
 
 
 def accepted(p: m.Parameter, record: m.Record) -> str:
@@ -161,7 +161,7 @@ def columns(v: m.Vector) -> int:
 def layout(record: m.Record) -> list[tuple[str, str, str]]:
     """Member, letters of `struct`, and what makes the value from the numbers, if all of a record are numbers at
     fixed places; else nothing."""
-    found = []
+    rows = []
     if not isinstance(record, m.Field) or record.optional or record.selector:
         return []
     for p in record.parameters:
@@ -175,8 +175,8 @@ def layout(record: m.Record) -> list[tuple[str, str, str]]:
             return []
         else:
             made = reference(p.vector, home(record)) if p.vector else "tuple"
-        found.append((member(p.name), letter * (numbers.count or 1), made))
-    return found
+        rows.append((member(p.name), letter * (numbers.count or 1), made))
+    return rows
 
 
 def decoded(record: m.Record) -> list[str]:
@@ -196,17 +196,17 @@ def parameters(way: m.Call, record: m.Field) -> list[str]:
 
 def arguments(way: m.Call) -> list[str]:
     """What that constructor passes on, after the function."""
-    found = []
+    passed = []
     for p in way.required:
         if not p.derived:
-            found.append(f"{member(p.name)}={member(p.name) if p.reserved is None else _reserved(p)}")
+            passed.append(f"{member(p.name)}={member(p.name) if p.reserved is None else _reserved(p)}")
     for i, p in enumerate(way.optional):
         later = [q for q in way.optional[i:] if q in way.addable]
         if p in way.addable:
-            found.append(f"{member(p.name)}={member(p.name)}")
+            passed.append(f"{member(p.name)}={member(p.name)}")
         elif p.reserved is not None and later:  # it is sent with what comes behind it
-            found.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
-    return found
+            passed.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
+    return passed
 
 
 # --------------------------------------------------------------------------- presence and acknowledges
@@ -244,14 +244,14 @@ def answered(f: m.Field) -> str:
 def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
     """The layouts of each response of a command, with the condition under which it is sent; none if there are no
     conditions."""
-    found = []
+    responses = []
     for reply in model.replies(f):
         functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
         tests = [" or ".join(functions)] if functions else []
         tests += [holding(c) for c in reply.when]
         condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
-        found.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
-    return found if any(condition != "True" for condition, _ in found) else []
+        responses.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
+    return responses if any(condition != "True" for condition, _ in responses) else []
 
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
@@ -262,18 +262,18 @@ def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
 
 def answers(f: m.Field, model: m.Model) -> str:
     """The same for a command however it is sent; empty if that depends on the function."""
-    found = {answer(way.function, f, model) for way in constructors(f)}
-    return found.pop() if len(found) == 1 else ""
+    types = {answer(way.function, f, model) for way in constructors(f)}
+    return types.pop() if len(types) == 1 else ""
 
 
 def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
     """The settings that keep the device from acknowledging a command: set, descriptor, member and value."""
-    found = []
+    settings = []
     for c in f.silenced_by:
         setting = model.field(c.command or "")
         assert setting is not None
-        found.append((setting.set, setting.descriptor, member(c.parameter), c.value))
-    return found
+        settings.append((setting.set, setting.descriptor, member(c.parameter), c.value))
+    return settings
 
 
 def matches(f: m.Field, model: m.Model) -> str:

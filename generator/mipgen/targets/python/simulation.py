@@ -31,19 +31,19 @@ def _json(value: object) -> str:
 
 
 def _source(s: Source) -> dict[str, Any]:
-    found = {"for_each": s.for_each, "parameters": {v.path: _value(v) for v in s.values}}
-    return {k: x for k, x in found.items() if x}
+    entry = {"for_each": s.for_each, "parameters": {v.path: _value(v) for v in s.values}}
+    return {k: x for k, x in entry.items() if x}
 
 
 def _value(v: Value) -> dict[str, Any]:
-    found = {"quantity": v.quantity, "factor": v.factor if v.factor != 1 else None, "names": v.names, "bits": v.bits}
-    return {k: x for k, x in found.items() if x} | {
+    entry = {"quantity": v.quantity, "factor": v.factor if v.factor != 1 else None, "names": v.names, "bits": v.bits}
+    return {k: x for k, x in entry.items() if x} | {
         k: x for k, x in (("number", v.number), ("text", v.text)) if x is not None
     }
 
 
 def _behavior(b: Behavior) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    entry: dict[str, Any] = {
         "effect": b.effect,
         "arguments": dict(b.arguments),
         "all": dict(b.all),
@@ -54,4 +54,4 @@ def _behavior(b: Behavior) -> dict[str, Any]:
         "initial": dict(b.initial),
         "answers": dict(b.answers),
     }
-    return {k: x for k, x in found.items() if x}
+    return {k: x for k, x in entry.items() if x}

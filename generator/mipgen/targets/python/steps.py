@@ -143,7 +143,7 @@ class _Planner:
 
     def steps(self, parameters: Iterable[m.Parameter], union: str = "") -> tuple[Step, ...]:
         """`union`: the member that a case of a union goes to, whatever its own name is."""
-        found: list[Step] = []
+        steps: list[Step] = []
         joined: list[Run] = []
         for p in parameters:
             numbers = None if p.kind == "text" else run(p)
@@ -151,11 +151,11 @@ class _Planner:
                 joined.append(numbers)
                 if p.kind != "constant":  # a wrong constant is the first thing to say of a record
                     continue
-            found += self.block(joined, union)
+            steps += self.block(joined, union)
             joined = []
             if not numbers:
-                found.append(self.step(p, union))
-        return (*found, *self.block(joined, union))
+                steps.append(self.step(p, union))
+        return (*steps, *self.block(joined, union))
 
     def block(self, joined: Sequence[Run], union: str) -> list[Step]:
         if not joined:

@@ -7,7 +7,7 @@ from mipgen import model as m
 
 def by_descriptor(s: m.Family) -> dict[int, list[m.Field]]:
     """The layouts of each descriptor."""
-    found: dict[int, list[m.Field]] = {}
+    fields: dict[int, list[m.Field]] = {}
     for f in sorted(s.fields, key=lambda f: f.descriptor):
-        found.setdefault(f.descriptor, []).append(f)
-    return found
+        fields.setdefault(f.descriptor, []).append(f)
+    return fields

@@ -61,13 +61,13 @@ def writing(model: m.Model) -> dict[str, Any]:
 
 def _unions(model: m.Model) -> dict[str, str]:
     """The union of a parameter: those of a module that have the same alternatives are one type."""
-    records, found = model.derived(Records), {}
+    records, unions = model.derived(Records), {}
     for r in of.records(model):
         for p in r.parameters:
             if p.union:
                 where = names.home(r)
-                found[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.union, where).name}"
-    return found
+                unions[f"{_full_name(r)}.{p.name}"] = f"{where}::{records.union(p.union, where).name}"
+    return unions
 
 
 def _full_name(r: m.Field | m.Struct) -> str:

@@ -25,7 +25,7 @@ def silent(command: m.Field) -> list[m.Function]:
 def holding(conditions: Iterable[m.Condition], command: m.Field, records: Records) -> list[str]:
     """Conditions on a command as members and their values: `part = types::Mode::FAST`."""
     members = {x.parameter.name: x for x in records.members(command)}
-    found = []
+    tests = []
     for c in conditions:
         x = members[c.parameter]
         element = x.parameter.element
@@ -35,5 +35,5 @@ def holding(conditions: Iterable[m.Condition], command: m.Field, records: Record
             value = f"{x.type}::{constant(known.name)}"
         elif isinstance(element, m.Enum) or x.type == BOOL:
             value = f"{x.type}({c.value})"
-        found.append(f"{x.name} = {f'Some({value})' if x.may_be_absent else value}")
-    return found
+        tests.append(f"{x.name} = {f'Some({value})' if x.may_be_absent else value}")
+    return tests

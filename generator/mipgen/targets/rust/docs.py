@@ -49,13 +49,13 @@ class Docs:
 
     def _unheld(self, record: m.Record) -> list[Block]:
         """What is on the wire and held by no member."""
-        found: list[Block] = []
+        blocks: list[Block] = []
         for p in record.parameters:
             if p.derived:
                 description, said, notes = self.parameter(p, record)
                 texts = " ".join(filter(None, (description, said, *notes)))
-                found.append(f"The wire format also contains `{p.name}`: {texts}")
-        return found
+                blocks.append(f"The wire format also contains `{p.name}`: {texts}")
+        return blocks
 
     # ------------------------------------------------------------------ types and their parts
 
@@ -99,12 +99,12 @@ class Docs:
 
     def device(self, d: m.Device) -> list[Block]:
         said, _ = self._facts(describe.device(d, self.model), "devices")
-        found: list[Block] = [prose(d.title), self._prose(d.description, "devices"), said, sources(d)]
+        blocks: list[Block] = [prose(d.title), self._prose(d.description, "devices"), said, sources(d)]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
-            found += [f"# {prose(n.title)}", self._prose(n.description, "devices"), rows[:1] + rule + rows[1:]]
-        return found
+            blocks += [f"# {prose(n.title)}", self._prose(n.description, "devices"), rows[:1] + rule + rows[1:]]
+        return blocks
 
     def difference(self, v: m.DeviceVariant) -> str:
         """What is different on a device, as plain text."""
@@ -138,8 +138,8 @@ def numbers(family: m.Family) -> str:
 
 
 def sources(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
-    found = "; ".join(map(prose, describe.sources(thing)))
-    return f"Source: {found}." if found else ""
+    cited = "; ".join(map(prose, describe.sources(thing)))
+    return f"Source: {cited}." if cited else ""
 
 
 def words(name: str) -> str:

@@ -224,7 +224,7 @@ class Records:
     def readings(self, record: m.Record) -> list[Reading]:
         """One for each type that names the values of a member, on a device or beside a value of a sibling."""
         here, members = home(record), {x.parameter.name: x for x in self.members(record)}
-        found = []
+        readings = []
         for x in members.values():
             for t in dict.fromkeys(v.type for v in x.parameter.readings):
                 if t is None or inner(t) != raw(x):
@@ -232,8 +232,8 @@ class Records:
                 variants = tuple(v for v in x.parameter.readings if v.type == t)
                 by = {v.by for v in variants}
                 tag = None if m.DEVICE in by else members[by.pop()]
-                found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
-        return found
+                readings.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
+        return readings
 
     def needs(self, family: m.Family) -> list[str]:
         """The features of the families whose types the fields of a family have."""
@@ -248,13 +248,13 @@ class Records:
 
     def conversions(self) -> list[Conversion]:
         """From the named types of members to the types that they are read as."""
-        found: dict[tuple[str, str], Conversion] = {}
+        conversions: dict[tuple[str, str], Conversion] = {}
         for record in self.all():
             for reading in self.readings(record):
                 of, to = reading.member.parameter.element, reading.variants[0].type
                 if isinstance(of, (m.Enum, m.Bitfield)) and to is not None:
-                    found.setdefault((of.name, to.name), Conversion(of, to, record, reading))
-        return list(found.values())
+                    conversions.setdefault((of.name, to.name), Conversion(of, to, record, reading))
+        return list(conversions.values())
 
 
 def union_derives(union: Union) -> list[str]:
@@ -263,8 +263,8 @@ def union_derives(union: Union) -> list[str]:
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
     """What all responses derive, their enumeration does too."""
-    found = [_derives(r.parameters, r.max_size) for r in responses]
-    return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in found)]
+    derived = [_derives(r.parameters, r.max_size) for r in responses]
+    return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in derived)]
 
 
 def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:

@@ -39,8 +39,8 @@ class Programs:
         program = self._program()
         read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
         # A broken one is an error, as a refused command is.
-        found = f"packet.find::<{program.name(f)}>().transpose()?"
-        return program.text([f"if let Some(value) = {found} {{", f'    println!("{{:?}}", {read});', "}"])
+        search = f"packet.find::<{program.name(f)}>().transpose()?"
+        return program.text([f"if let Some(value) = {search} {{", f'    println!("{{:?}}", {read});', "}"])
 
     def _program(self) -> _Program:
         return _Program(self.samples.model.derived(Records))

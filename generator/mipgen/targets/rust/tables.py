@@ -93,8 +93,8 @@ class Tables:
 
     def groups(self) -> list[Group]:
         """All fields as the registry looks for them: by family, those that every set has last."""
-        found = [_group(f'feature = "{feature(x)}"', x.fields) for x in self.model.families if x.fields]
-        return [*found, _group("all()", (self.model.protocol.acknowledge,))]
+        groups = [_group(f'feature = "{feature(x)}"', x.fields) for x in self.model.families if x.fields]
+        return [*groups, _group("all()", (self.model.protocol.acknowledge,))]
 
     def linked(self, f: m.Field) -> list[str]:
         """The responses of a command, or the commands of a response."""
@@ -106,10 +106,10 @@ class Tables:
 
     def sizes(self, f: m.Field) -> str:
         """The sizes of data that a layout may have; empty if it may have any."""
-        found = self.model.sizes(f)
-        if found == range(m.MAX_FIELD_DATA + 1):
+        sizes = self.model.sizes(f)
+        if sizes == range(m.MAX_FIELD_DATA + 1):
             return ""
-        return f"{found.start}..={found.stop - 1 if found.stop <= m.MAX_FIELD_DATA else 'usize::MAX'}"
+        return f"{sizes.start}..={sizes.stop - 1 if sizes.stop <= m.MAX_FIELD_DATA else 'usize::MAX'}"
 
     def ack_codes(self, d: m.Device) -> list[str]:
         names = {v.value: constant(v.name) for v in self.model.protocol.ack_code.values}

@@ -35,18 +35,18 @@ def filter_name(within: str, name: str) -> str:
 
 def examples(model: m.Model) -> list[str]:
     """Filters that show how they are made: of an element of a vector, a bit, a function, and a refusal."""
-    found: dict[str, str] = {}
+    filters: dict[str, str] = {}
     for f in model.fields:
         for p in f.parameters:
             path = filter_name(field_filter(f), p.name)
             if p.vector and f.role == m.DATA:
-                found.setdefault("vector", f"{path}.{p.elements[0]} > 0.5")
+                filters.setdefault("vector", f"{path}.{p.elements[0]} > 0.5")
             elif isinstance(p.element, m.Bitfield) and f.role == m.DATA and p.element.bits[0].width == 1:
-                found.setdefault("bit", f"{path}.{p.element.bits[0].name} == 1")
+                filters.setdefault("bit", f"{path}.{p.element.bits[0].name} == 1")
             elif p.selector:
-                found.setdefault("function", f'{path} == "{f.functions[0].name}"')
+                filters.setdefault("function", f'{path} == "{f.functions[0].name}"')
     code = model.protocol.acknowledge.parameters[-1]
-    return [*found.values(), f"{field_filter(model.protocol.acknowledge)}.{code.name} != 0"]
+    return [*filters.values(), f"{field_filter(model.protocol.acknowledge)}.{code.name} != 0"]
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
