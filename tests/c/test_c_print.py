@@ -238,8 +238,10 @@ def test_numbers() -> None:
     singles = [n << 23 | tail for n in range(256) for tail in (0, 1, 0x7FFFFF)]
     singles += [1, 2, 3, 0x7FFFFF, *(of.getrandbits(32) for _ in range(rounds(800, 20_000)))]
     doubles = [n << 52 | (0, 1, (1 << 52) - 1)[(n + SEED) % 3] for n in range(2048)]
-    doubles += [1, 2, 3, *(of.getrandbits(64) for _ in range(rounds(800, 20_000))), *(of.getrandbits(52) for _ in range(200))]
-    readable = [*(float(f"1e{n}") for n in range(-323, 309)), *(n / 1000 for n in range(0, 3000, 7)), 2.0**53 + 2, 123456.789]
+    doubles += [1, 2, 3, *(of.getrandbits(64) for _ in range(rounds(800, 20_000)))]
+    doubles += [of.getrandbits(52) for _ in range(200)]
+    readable = [*(float(f"1e{n}") for n in range(-323, 309)), *(n / 1000 for n in range(0, 3000, 7))]
+    readable += [2.0**53 + 2, 123456.789]
     doubles += [struct.unpack(">Q", struct.pack(">d", value))[0] for value in readable]
     for what, size, numbers in (("float", 4, singles), ("double", 8, doubles)):
         data = [(n ^ sign).to_bytes(size, "big") for n in numbers for sign in (0, 1 << 8 * size - 1)]
