@@ -310,7 +310,7 @@ def test_every_field(spec: str) -> None:
         assert answer == text, request
 
 
-@both
+@small("programs of the real C library")
 def test_every_name(spec: str) -> None:
     """Every value of every enumeration, and every bit, wherever a field has it by itself."""
     of = model(spec)
