@@ -412,7 +412,7 @@ def test_every_bit(compiler: str, spec: str, tmp_path: Path) -> None:
     run(build(tmp_path, compiler, spec, written(tmp_path / "bits.c", of, checks)))
 
 
-@both
+@small("programs of the real C library")
 def test_every_constant(spec: str, tmp_path: Path) -> None:
     of = model(spec)
     types = [of.protocol.function_selector, *of.all_types]

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from c_build import HERE, PEDANTIC, SANITIZE, UNITS, WARNINGS, archive, compiled, folder, include, run, sources
-from support import SPECS, heavy, need
+from support import SPECS, heavy, need, small
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", ["cc", pytest.param("clang", marks=heavy("clang"))])
@@ -95,7 +95,7 @@ def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: 
 # --------------------------------------------------------------------------- warnings
 
 
-@both
+@small("many builds of C")
 @compilers
 @pytest.mark.parametrize("level", [pytest.param("-O0", marks=heavy("many builds of C")), "-O2"])  # -O2 finds more
 def test_c99_without_a_warning(level: str, compiler: str, spec: str) -> None:

@@ -129,14 +129,19 @@ def meaning(p: m.Parameter, values: dict[str, Any], device: str) -> Any:
     return p.element
 
 
-def item(p: m.Parameter, value: Any, t: Any) -> str:
-    if p.kind == "text":
-        return quoted(value)
-    if p.kind == "bits" or (p.kind == "array" and isinstance(t, m.Bitfield) and t.scalar is None):
-        return flags(t, int.from_bytes(bytes(value), "little"), t.size)
-    if p.kind == "array":
-        return "[" + ", ".join(item(p.item, v, t) for v in value) + "]"
-    return scalar(value, p.scalar, t)
+def item(op: m.Operation, value: Any, t: Any) -> str:
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return scalar(value, op.scalar, t)
+        case m.BitsOp():
+            return flags(t, int.from_bytes(bytes(value), "little"), op.size)
+        case m.TextOp():
+            return quoted(value)
+        case m.ArrayOp() if isinstance(t, m.Bitfield) and t.scalar is None:
+            return flags(t, int.from_bytes(bytes(value), "little"), t.size)
+        case m.ArrayOp():
+            return "[" + ", ".join(item(op.item, v, t) for v in value) + "]"
+    raise AssertionError(op)
 
 
 def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
@@ -159,7 +164,9 @@ def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
                 yield from (f"  {line}" for line in lines(q, one, device))
     else:
         unit = ", ".join(p.units)
-        yield f"{p.name}: {item(p, value, meaning(p, values, device))}" + (f" {unit}" if unit not in ("", "1") else "")
+        yield f"{p.name}: {item(p.operation, value, meaning(p, values, device))}" + (
+            f" {unit}" if unit not in ("", "1") else ""
+        )
 
 
 def hexadecimal(data: bytes) -> str:
@@ -231,19 +238,10 @@ def test_numbers() -> None:
     singles = [n << 23 | tail for n in range(256) for tail in (0, 1, 0x7FFFFF)]
     singles += [1, 2, 3, 0x7FFFFF, *(of.getrandbits(32) for _ in range(rounds(800, 20_000)))]
     doubles = [n << 52 | (0, 1, (1 << 52) - 1)[(n + SEED) % 3] for n in range(2048)]
-    doubles += [
-        1,
-        2,
-        3,
-        *(of.getrandbits(64) for _ in range(rounds(800, 20_000))),
-        *(of.getrandbits(52) for _ in range(200)),
-    ]
-    readable = [
-        *(float(f"1e{n}") for n in range(-323, 309)),
-        *(n / 1000 for n in range(0, 3000, 7)),
-        2.0**53 + 2,
-        123456.789,
-    ]
+    doubles += [1, 2, 3, *(of.getrandbits(64) for _ in range(rounds(800, 20_000)))]
+    doubles += [of.getrandbits(52) for _ in range(200)]
+    readable = [*(float(f"1e{n}") for n in range(-323, 309)), *(n / 1000 for n in range(0, 3000, 7))]
+    readable += [2.0**53 + 2, 123456.789]
     doubles += [struct.unpack(">Q", struct.pack(">d", value))[0] for value in readable]
     for what, size, numbers in (("float", 4, singles), ("double", 8, doubles)):
         data = [(n ^ sign).to_bytes(size, "big") for n in numbers for sign in (0, 1 << 8 * size - 1)]
@@ -312,7 +310,7 @@ def test_every_field(spec: str) -> None:
         assert answer == text, request
 
 
-@both
+@small("programs of the real C library")
 def test_every_name(spec: str) -> None:
     """Every value of every enumeration, and every bit, wherever a field has it by itself."""
     of = model(spec)

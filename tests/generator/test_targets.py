@@ -54,9 +54,9 @@ def test_the_same_from_anywhere(first: Path, tmp_path: Path) -> None:
     assert tree(tmp_path / "out") == tree(first)
 
 
-@pytest.mark.parametrize("version", ["3.10", "3.12", "3.13"])
-def test_the_syntax_of_another_python(version: str) -> None:
-    parse_as(version, ROOT / "generator/mipgen")
+def test_the_syntax_of_the_oldest_python() -> None:
+    """What it reads, newer ones read."""
+    parse_as("3.10", ROOT / "generator/mipgen")
 
 
 def test_a_second_run_touches_nothing(first: Path) -> None:

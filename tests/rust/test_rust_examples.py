@@ -21,7 +21,7 @@ from mipgen.emit import output
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
-from support import PATIENCE, SPECS, heavy, locked, model, need, simulated
+from support import PATIENCE, heavy, locked, model, need, simulated, small
 from test_rust import EMBEDDED, HERE, LONG, embedded
 
 HEAD = """//! Made by test_rust_examples.py.
@@ -33,7 +33,7 @@ use mip_protocol::{Bool, List, PacketBuilder, Text, VarText};
 """
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("printed packets as programs in Rust")
 def test_examples_built_by_hand(spec: str) -> None:
     of = model(spec)
     writer = _Writer(of)
