@@ -40,7 +40,7 @@ def widest(_place: int, _alignment: int) -> int:
 
 def members(record: m.Record) -> list[m.Parameter]:
     """The parameters that have a member: no constants, and no unions without alternatives."""
-    return [p for p in record.parameters if p.constant is None and (p.alternatives or not p.union)]
+    return [p for p in record.parameters if p.constant is None and (not p.union or p.alternatives)]
 
 
 def largest(model: m.Model) -> int:

@@ -139,7 +139,7 @@ class Parameter:
         """Of a union: the alternatives."""
         return self.union.cases if self.union else ()
 
-    @property
+    @cached_property
     def alternatives(self) -> tuple[Parameter, ...]:
         """Of a union: what its alternatives hold, without the empty ones."""
         return tuple(c.parameter for c in self.cases if c.parameter is not None)

@@ -76,7 +76,7 @@ def _spelled(names: Iterable[str]) -> Row:
 def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
     """The description of a parameter besides its name, kind and cases."""
     values = {
-        "scalar": _scalar(p.element),
+        "scalar": _scalar(p.leaf),
         "size": p.size if p.kind == "bits" else 0,
         "elements": p.elements,
         "length": p.length,
@@ -100,8 +100,8 @@ def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
     zero = {k: code(values[k]) for k in ("length", "constant", "minimum", "maximum", "above", "below", "default")
             if values[k] is not None}  # fmt: skip
     row = shown(values) | zero
-    if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)):
-        row["type"] = qualified(p.element)
+    if t := p.leaf.named or p.leaf.struct:
+        row["type"] = qualified(t)
     vouching = flags(p.valid, record)
     if vouching:
         row["flags"] = _flags(vouching)
@@ -109,12 +109,10 @@ def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
     return row
 
 
-def _scalar(e: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> str:
-    if isinstance(e, m.Scalar):
-        return e.name
-    if isinstance(e, m.Bitfield) and e.scalar is None:
-        return "bits"
-    return e.scalar.name if isinstance(e, (m.Enum, m.Bitfield, m.Vector)) and e.scalar is not None else ""
+def _scalar(p: m.Parameter) -> str:
+    if p.struct or p.union:
+        return ""
+    return "bits" if p.kind == "bits" else p.scalar.name
 
 
 def _variants(p: m.Parameter, record: m.Record, model: m.Model) -> Row:

@@ -210,7 +210,7 @@ class _Planner:
         return "codec.truth" if p.kind == "scalar" and p.scalar.kind == "bool" else ""
 
     def case_type(self, p: m.Parameter) -> str:
-        return reference(p.element, self.home) if isinstance(p.element, m.Struct) else ""
+        return reference(p.struct, self.home) if p.struct else ""
 
 
 def _held(step: Step) -> list[str]:

@@ -66,9 +66,7 @@ def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
 
 
 def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
-    if isinstance(p.element, m.Struct):
-        return p.element.parameters
-    return p.alternatives
+    return p.item.struct.parameters if p.item.struct else p.alternatives
 
 
 def sets(numbers: Sequence[int], separator: str) -> str:
