@@ -89,7 +89,7 @@ def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None
     """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
     item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
-    by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
+    by = p.tag or p.counts or p.counter
     scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
     length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
     readings = () if union else p.readings

@@ -623,7 +623,7 @@ static const struct mip_parameter parameters_measurements_strings[] = {
      ONE(struct mip_measurements_strings, length), 0, NULL, NULL, NULL, NULL, 0},
     {"name", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 236, 1, 1, 0, 0,
      MANY(struct mip_measurements_strings, name), 0, NULL, NULL, NULL, NULL, 0},
-    {"rest", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_REST, 236, 1, 3, 0, 0,
+    {"rest", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_REST, 236, 1, 0, 0, 0,
      MANY(struct mip_measurements_strings, rest),
      offsetof(struct mip_measurements_strings, rest_count), NULL, NULL, NULL, NULL, 0},
 };
