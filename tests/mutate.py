@@ -133,7 +133,8 @@ FACTS: list[tuple[str, object]] = [
     (r"GX5-15", "GX5-25"), (r"CV7-GNSS/INS", "CV7-AHRS"), (r"\b(tow|week_number)\b", "reserved"),
 ]  # fmt: skip
 FACT_LINE = re.compile(r"(?i)range|unit|frame|valid|default|support|at least|at most|≤|≥|\[[\w/%°²,. ]+\]")
-NO_CODE = re.compile(r"\s*(//|/\*|\*|#|\{#|import |from |use |$)")
+#: Comments, imports; and what forbids something that nothing does.
+NO_CODE = re.compile(r"\s*(//|/\*|\*|#|\{#|import |from |use |@dataclass|$)")
 
 
 def hidden(line: str) -> str:
