@@ -321,10 +321,13 @@ types:
             kind::filter_gnss_antenna_calibration_control_response: filter_gnss_antenna_calibration_control_response
             kind::gnss_receiver_info: gnss_receiver_info
             kind::gnss_signal_config: gnss_signal_config
+            kind::gnss_receiver_reset: gnss_receiver_reset
+            kind::gnss_rtk_config: gnss_rtk_config
             kind::gnss_rtk_dongle_config: gnss_rtk_dongle_config
             kind::gnss_spartn_config: gnss_spartn_config
             kind::gnss_receiver_info_response: gnss_receiver_info_response
             kind::gnss_signal_config_response: gnss_signal_config_response
+            kind::gnss_rtk_config_response: gnss_rtk_config_response
             kind::gnss_rtk_dongle_config_response: gnss_rtk_dongle_config_response
             kind::gnss_spartn_config_response: gnss_spartn_config_response
             kind::rtk_get_status_flags: rtk_get_status_flags
@@ -406,6 +409,7 @@ types:
             kind::gnss_data_sbas_info: gnss_data_sbas_info
             kind::gnss_data_sbas_correction: gnss_data_sbas_correction
             kind::gnss_data_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_data_heading: gnss_data_heading
             kind::gnss_data_satellite_status: gnss_data_satellite_status
             kind::gnss_data_raw: gnss_data_raw
             kind::gnss_data_base_station_info: gnss_data_base_station_info
@@ -492,6 +496,7 @@ types:
             kind::gnss_1_sbas_info: gnss_data_sbas_info
             kind::gnss_1_sbas_correction: gnss_data_sbas_correction
             kind::gnss_1_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_1_heading: gnss_data_heading
             kind::gnss_1_satellite_status: gnss_data_satellite_status
             kind::gnss_1_raw: gnss_data_raw
             kind::gnss_1_base_station_info: gnss_data_base_station_info
@@ -521,6 +526,7 @@ types:
             kind::gnss_2_sbas_info: gnss_data_sbas_info
             kind::gnss_2_sbas_correction: gnss_data_sbas_correction
             kind::gnss_2_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_2_heading: gnss_data_heading
             kind::gnss_2_satellite_status: gnss_data_satellite_status
             kind::gnss_2_raw: gnss_data_raw
             kind::gnss_2_base_station_info: gnss_data_base_station_info
@@ -550,6 +556,7 @@ types:
             kind::gnss_corrections_sbas_info: gnss_data_sbas_info
             kind::gnss_corrections_sbas_correction: gnss_data_sbas_correction
             kind::gnss_corrections_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_corrections_heading: gnss_data_heading
             kind::gnss_corrections_satellite_status: gnss_data_satellite_status
             kind::gnss_corrections_raw: gnss_data_raw
             kind::gnss_corrections_base_station_info: gnss_data_base_station_info
@@ -579,6 +586,7 @@ types:
             kind::gnss_external_sbas_info: gnss_data_sbas_info
             kind::gnss_external_sbas_correction: gnss_data_sbas_correction
             kind::gnss_external_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_external_heading: gnss_data_heading
             kind::gnss_external_satellite_status: gnss_data_satellite_status
             kind::gnss_external_raw: gnss_data_raw
             kind::gnss_external_base_station_info: gnss_data_base_station_info
@@ -608,6 +616,7 @@ types:
             kind::gnss_external_2_sbas_info: gnss_data_sbas_info
             kind::gnss_external_2_sbas_correction: gnss_data_sbas_correction
             kind::gnss_external_2_rf_error_detection: gnss_data_rf_error_detection
+            kind::gnss_external_2_heading: gnss_data_heading
             kind::gnss_external_2_satellite_status: gnss_data_satellite_status
             kind::gnss_external_2_raw: gnss_data_raw
             kind::gnss_external_2_base_station_info: gnss_data_base_station_info
@@ -1326,8 +1335,13 @@ types:
     -kind: bits
     doc: Protocols of a port.
     seq:
+      - id: unused_30
+        type: b2
+      - id: sbf
+        type: b1
+        doc: SBF, the binary format of Septentrio receivers.
       - id: unused_25
-        type: b7
+        type: b4
       - id: spartn
         type: b1
         doc: SPARTN corrections.
@@ -1798,8 +1812,11 @@ types:
     -kind: bits
     doc: Which parts of the detection are valid.
     seq:
-      - id: unused_3
-        type: b13
+      - id: unused_4
+        type: b12
+      - id: frequency
+        type: b1
+        doc: Frequency; only set by firmware that sends it.
       - id: spoofing_state
         type: b1
         doc: Spoofing.
@@ -1811,7 +1828,26 @@ types:
         doc: Band.
     instances:
       flags:
-        value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0)"
+        value: "(rf_band ? 1 : 0) + (jamming_state ? 2 : 0) + (spoofing_state ? 4 : 0) + (frequency ? 8 : 0)"
+        doc: All of them.
+  gnss_data_heading_flags:
+    -kind: bits
+    doc: Which parts of the heading are valid.
+    seq:
+      - id: unused_3
+        type: b13
+      - id: fix_type
+        type: b1
+        doc: Kind of the fix.
+      - id: uncertainty
+        type: b1
+        doc: Uncertainty of the heading.
+      - id: heading
+        type: b1
+        doc: Heading.
+    instances:
+      flags:
+        value: "(heading ? 1 : 0) + (uncertainty ? 2 : 0) + (fix_type ? 4 : 0)"
         doc: All of them.
   gnss_data_satellite_status_flags:
     -kind: bits
@@ -2616,7 +2652,7 @@ types:
     seq:
       - id: receiver_id
         type: u1
-        doc: "Receiver, counted from 1. Range: at least 1."
+        doc: "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1."
       - id: mip_data_descriptor_set
         type: u1
         doc: "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."
@@ -5929,6 +5965,38 @@ types:
         repeat-expr: 4
         if: function_value == function_selector::write or _io.size >= 9
         doc: "Reserved: send 0."
+  gnss_receiver_reset:
+    -orig-id: gnss.receiver_reset
+    doc: Receiver reset. Resets a GNSS receiver of the device.
+    seq:
+      - id: receiver_id
+        type: u1
+        enum: gnss_receiver_id
+        doc: Receiver to reset.
+      - id: reset_type
+        type: u1
+        enum: gnss_receiver_reset_type
+        doc: How much restarts.
+  gnss_rtk_config:
+    -orig-id: gnss.rtk_config
+    doc: RTK configuration. Sets how readily the device fixes the ambiguities of an RTK solution.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: ambiguity_fix_mode
+        type: u1
+        enum: gnss_ambiguity_fix_mode
+        if: function_value == function_selector::write or _io.size >= 2
+        doc: How readily ambiguities are fixed.
+      - id: reserved
+        type: u1
+        repeat: expr
+        repeat-expr: 4
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Reserved: send 0."
   gnss_rtk_dongle_config:
     -orig-id: gnss.rtk_dongle_config
     doc: RTK dongle configuration. Switches the communication with a connected RTK dongle on or off.
@@ -6024,6 +6092,19 @@ types:
       - id: beidou_enable
         type: gnss_beidou_signals
         doc: BeiDou signals.
+      - id: reserved
+        type: u1
+        repeat: expr
+        repeat-expr: 4
+        doc: Reserved.
+  gnss_rtk_config_response:
+    -orig-id: gnss.rtk_config_response
+    doc: "RTK configuration response. "
+    seq:
+      - id: ambiguity_fix_mode
+        type: u1
+        enum: gnss_ambiguity_fix_mode
+        doc: How readily ambiguities are fixed.
       - id: reserved
         type: u1
         repeat: expr
@@ -7122,13 +7203,33 @@ types:
         type: u1
         enum: gnss_data_spoofing_state
         doc: "Spoofing. Valid if `valid_flags.spoofing_state` is set."
+      - id: frequency
+        type: u2
+        doc: "Centre frequency of the band. Unit: MHz. Valid if `valid_flags.frequency` is set."
       - id: reserved
         type: u1
         repeat: expr
-        repeat-expr: 4
+        repeat-expr: 2
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
+        doc: Which values are valid.
+  gnss_data_heading:
+    -orig-id: gnss_data.heading
+    doc: GNSS heading. Heading that the receiver computes from its antennas.
+    seq:
+      - id: heading
+        type: f4
+        doc: "Heading of the baseline between the antennas. Unit: deg. Valid if `valid_flags.heading` is set."
+      - id: uncertainty
+        type: f4
+        doc: "Uncertainty of the heading. Unit: deg. Valid if `valid_flags.uncertainty` is set."
+      - id: fix_type
+        type: u1
+        enum: gnss_data_heading_fix_type
+        doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
+      - id: valid_flags
+        type: gnss_data_heading_flags
         doc: Which values are valid.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
@@ -9603,6 +9704,16 @@ enums:
       -orig-id: gnss.signal_config
       -role: command
       doc: Signal configuration
+    0x0e03:
+      id: gnss_receiver_reset
+      -orig-id: gnss.receiver_reset
+      -role: command
+      doc: Receiver reset
+    0x0e04:
+      id: gnss_rtk_config
+      -orig-id: gnss.rtk_config
+      -role: command
+      doc: RTK configuration
     0x0e10:
       id: gnss_rtk_dongle_config
       -orig-id: gnss.rtk_dongle_config
@@ -9623,6 +9734,11 @@ enums:
       -orig-id: gnss.signal_config_response
       -role: response
       doc: Signal configuration response
+    0x0e84:
+      id: gnss_rtk_config_response
+      -orig-id: gnss.rtk_config_response
+      -role: response
+      doc: RTK configuration response
     0x0e90:
       id: gnss_rtk_dongle_config_response
       -orig-id: gnss.rtk_dongle_config_response
@@ -10028,6 +10144,11 @@ enums:
       -orig-id: gnss_data.rf_error_detection
       -role: data
       doc: RF error detection
+    0x8115:
+      id: gnss_data_heading
+      -orig-id: gnss_data.heading
+      -role: data
+      doc: GNSS heading
     0x8120:
       id: gnss_data_satellite_status
       -orig-id: gnss_data.satellite_status
@@ -10458,6 +10579,11 @@ enums:
       -orig-id: gnss_1.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9115:
+      id: gnss_1_heading
+      -orig-id: gnss_1.heading
+      -role: data
+      doc: GNSS heading
     0x9120:
       id: gnss_1_satellite_status
       -orig-id: gnss_1.satellite_status
@@ -10603,6 +10729,11 @@ enums:
       -orig-id: gnss_2.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9215:
+      id: gnss_2_heading
+      -orig-id: gnss_2.heading
+      -role: data
+      doc: GNSS heading
     0x9220:
       id: gnss_2_satellite_status
       -orig-id: gnss_2.satellite_status
@@ -10748,6 +10879,11 @@ enums:
       -orig-id: gnss_corrections.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9315:
+      id: gnss_corrections_heading
+      -orig-id: gnss_corrections.heading
+      -role: data
+      doc: GNSS heading
     0x9320:
       id: gnss_corrections_satellite_status
       -orig-id: gnss_corrections.satellite_status
@@ -10893,6 +11029,11 @@ enums:
       -orig-id: gnss_external.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9415:
+      id: gnss_external_heading
+      -orig-id: gnss_external.heading
+      -role: data
+      doc: GNSS heading
     0x9420:
       id: gnss_external_satellite_status
       -orig-id: gnss_external.satellite_status
@@ -11038,6 +11179,11 @@ enums:
       -orig-id: gnss_external_2.rf_error_detection
       -role: data
       doc: RF error detection
+    0x9515:
+      id: gnss_external_2_heading
+      -orig-id: gnss_external_2.heading
+      -role: data
+      doc: GNSS heading
     0x9520:
       id: gnss_external_2_satellite_status
       -orig-id: gnss_external_2.satellite_status
@@ -11627,10 +11773,10 @@ enums:
       doc: The first port that is a UART or can be one.
     18:
       id: uart_2
-      doc: The second UART.
+      doc: The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models.
     19:
       id: uart_3
-      doc: The third UART.
+      doc: The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
     33:
       id: usb_1
       doc: First virtual serial port of USB.
@@ -11970,6 +12116,48 @@ enums:
     1:
       id: vehicle
       doc: The origin of the vehicle.
+  gnss_receiver_id:
+    0:
+      id: all
+      doc: Every receiver; only for commands that accept it.
+    1:
+      id: internal_receiver_1
+      doc: The first receiver inside the device.
+    2:
+      id: internal_receiver_2
+      doc: The second receiver inside the device.
+    4:
+      id: user_receiver_1
+      doc: The first external receiver.
+    5:
+      id: user_receiver_2
+      doc: The second external receiver.
+  gnss_receiver_reset_type:
+    1:
+      id: hardware
+      doc: Resets the receiver by its reset line.
+    2:
+      id: cold
+      doc: Restarts all software of the receiver.
+    3:
+      id: warm
+      doc: Restarts the positioning engine only.
+    4:
+      id: hot
+      doc: Restarts the positioning engine and clears its ephemerides and almanacs.
+  gnss_ambiguity_fix_mode:
+    1:
+      id: "off"
+      doc: Never fixes them. The solution remains a float solution.
+    2:
+      id: conservative
+      doc: Fixes them late and with few wrong fixes.
+    3:
+      id: moderate
+      doc: Between conservative and aggressive.
+    4:
+      id: aggressive
+      doc: Fixes them as soon as possible.
   gnss_spartn_connection:
     0:
       id: none_value
@@ -12137,6 +12325,18 @@ enums:
     3:
       id: significant
       doc: Badly.
+  gnss_data_heading_fix_type:
+    0:
+      id: unknown
+      doc: Not known.
+    1:
+      id: float_value
+      -orig-id: float
+      doc: Real numbers, which is less accurate.
+    2:
+      id: fixed_value
+      -orig-id: fixed
+      doc: Whole numbers of cycles.
   gnss_data_signal_quality:
     0:
       id: none_value

@@ -223,6 +223,9 @@ F["gnss.beidou_signals"] = {
   { name = "b2", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "B2." },
   { name = "b2a", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "B2a." },
 }
+E["gnss.receiver_id"] = { [0] = "all", [1] = "internal_receiver_1", [2] = "internal_receiver_2", [4] = "user_receiver_1", [5] = "user_receiver_2", }
+E["gnss.receiver_reset_type"] = { [1] = "hardware", [2] = "cold", [3] = "warm", [4] = "hot", }
+E["gnss.ambiguity_fix_mode"] = { [1] = "off", [2] = "conservative", [3] = "moderate", [4] = "aggressive", }
 E["gnss.spartn_connection"] = { [0] = "none", [1] = "network", [2] = "l_band", }
 E["rtk.connected_device"] = { [0] = "generic", [1] = "gq7", }
 F["rtk.service_flags"] = {
@@ -249,6 +252,7 @@ F["system.comm_protocols"] = {
   { name = "nmea", at = 0, size = 4, mask = 256, shift = 8, width = 1, doc = "NMEA-0183." },
   { name = "rtcm", at = 0, size = 4, mask = 512, shift = 9, width = 1, doc = "RTCM corrections." },
   { name = "spartn", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "SPARTN corrections." },
+  { name = "sbf", at = 0, size = 4, mask = 536870912, shift = 29, width = 1, doc = "SBF, the binary format of Septentrio receivers." },
 }
 E["system.protocol_mode"] = { [1] = "standard", [2] = "sensor_direct", [3] = "gnss_direct", }
 F["sensor.overrange_flags"] = {
@@ -404,6 +408,14 @@ F["gnss_data.rf_error_detection_flags"] = {
   { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Band." },
   { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Jamming." },
   { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Spoofing." },
+  { name = "frequency", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Frequency; only set by firmware that sends it." },
+  { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All of them." },
+}
+E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
+F["gnss_data.heading_flags"] = {
+  { name = "heading", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Heading." },
+  { name = "uncertainty", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Uncertainty of the heading." },
+  { name = "fix_type", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Kind of the fix." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All of them." },
 }
 F["gnss_data.satellite_status_flags"] = {
@@ -691,7 +703,7 @@ S["3dm.sensor_range_entry"] = {
   { kind = "scalar", name = "range", type = "float", size = 4, doc = "Largest measurable value." },
 }
 S["gnss.receiver_info_entry"] = {
-  { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
+  { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1." },
   { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE." },
   { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, separated by a comma." },
 }
@@ -2446,6 +2458,21 @@ field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title 
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.signal_config", title = "Signal configuration" }, })
+field({ descriptor = 0x03, name = "gnss.receiver_reset", role = "command", title = "Receiver reset",
+    doc = "Resets a GNSS receiver of the device.", least = 2,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "receiver_id", type = "u8", size = 1, enum = E["gnss.receiver_id"], doc = "Receiver to reset." },
+      { kind = "scalar", name = "reset_type", type = "u8", size = 1, enum = E["gnss.receiver_reset_type"], doc = "How much restarts." },
+    } }, { { set = 0x0E, name = "gnss.receiver_reset", title = "Receiver reset" }, })
+field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "RTK configuration",
+    doc = "Sets how readily the device fixes the ambiguities of an RTK solution.", least = 1,
+    required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
+    rows = {
+      { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
+    } }, { { set = 0x0E, name = "gnss.rtk_config", title = "RTK configuration" }, })
 field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
     doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
@@ -2485,6 +2512,13 @@ field({ descriptor = 0x82, name = "gnss.signal_config_response", role = "respons
       { kind = "scalar", name = "beidou_enable", type = "u8", size = 1, flags = F["gnss.beidou_signals"], doc = "BeiDou signals." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.signal_config_response", title = "Signal configuration response" }, })
+field({ descriptor = 0x84, name = "gnss.rtk_config_response", role = "response", title = "RTK configuration response",
+    doc = "", least = 5,
+    always = 2,
+    rows = {
+      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "How readily ambiguities are fixed." },
+      { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+    } }, { { set = 0x0E, name = "gnss.rtk_config_response", title = "RTK configuration response" }, })
 field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
     doc = "", least = 4,
     always = 2,
@@ -3123,14 +3157,25 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
-    always = 5,
+    always = 6,
     rows = {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
       { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "Jamming. Valid if valid_flags.jamming_state is set." },
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "Spoofing. Valid if valid_flags.spoofing_state is set." },
-      { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
+      { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
+field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
+    doc = "Heading that the receiver computes from its antennas.", least = 11,
+    always = 4,
+    plain = true,
+    rows = {
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Valid if valid_flags.uncertainty is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,

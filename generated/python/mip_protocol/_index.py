@@ -1277,6 +1277,14 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         "Signal configuration",
         ("signal_configuration",),
     ),
+    "gnss.receiver_reset": ("gnss", "ReceiverReset", "command", "Receiver reset", ()),
+    "gnss.rtk_config": (
+        "gnss",
+        "RtkConfig",
+        "command",
+        "RTK configuration",
+        ("rtk_configuration",),
+    ),
     "gnss.rtk_dongle_config": (
         "gnss",
         "RtkDongleConfig",
@@ -1304,6 +1312,13 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         "response",
         "Signal configuration response",
         ("signal_configuration_response",),
+    ),
+    "gnss.rtk_config_response": (
+        "gnss",
+        "RtkConfigResponse",
+        "response",
+        "RTK configuration response",
+        ("rtk_configuration_response",),
     ),
     "gnss.rtk_dongle_config_response": (
         "gnss",
@@ -1566,6 +1581,7 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         "RF error detection",
         (),
     ),
+    "gnss_data.heading": ("gnss_data", "Heading", "data", "GNSS heading", ()),
     "gnss_data.satellite_status": ("gnss_data", "SatelliteStatus", "data", "Satellite status", ()),
     "gnss_data.raw": ("gnss_data", "Raw", "data", "Raw", ()),
     "gnss_data.base_station_info": (

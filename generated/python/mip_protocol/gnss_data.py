@@ -422,6 +422,33 @@ class RfErrorDetectionFlags(IntFlag):
     """Jamming. Bit 1."""
     SPOOFING_STATE = 1 << 2
     """Spoofing. Bit 2."""
+    FREQUENCY = 1 << 3
+    """Frequency; only set by firmware that sends it. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+class HeadingFixType(codec.OpenEnum):
+    """How the ambiguities of the carrier phase were solved for a heading."""
+
+    UNKNOWN = 0
+    """Not known."""
+    FLOAT = 1
+    """Real numbers, which is less accurate."""
+    FIXED = 2
+    """Whole numbers of cycles."""
+
+
+@codec.open_flag(16)
+class HeadingFlags(IntFlag):
+    """Which parts of the heading are valid."""
+
+    HEADING = 1 << 0
+    """Heading. Bit 0."""
+    UNCERTAINTY = 1 << 1
+    """Uncertainty of the heading. Bit 1."""
+    FIX_TYPE = 1 << 2
+    """Kind of the fix. Bit 2."""
     FLAGS = 0x7
     """All of them. Bits 0 to 2. Overlaps other bits."""
 
@@ -2290,7 +2317,13 @@ class SbasCorrection(Shared, Data):
 
 
 _RF_ERROR_DETECTION_0 = codec.Block(
-    "BBBBBBBH", "rf_band", "jamming_state", "spoofing_state", *["reserved"] * 4, "valid_flags"
+    "BBBHBBH",
+    "rf_band",
+    "jamming_state",
+    "spoofing_state",
+    "frequency",
+    *["reserved"] * 2,
+    "valid_flags",
 )
 
 
@@ -2303,11 +2336,21 @@ class RfErrorDetection(Shared, Data):
     (0x94) and gnss_external_2 (0x95). May be supported by 3DM-CV7-INS. Known only from the
     MicroStrain MIP SDK.
 
+    Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
+    there and leaves its flag clear.
+
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
 
-    __slots__ = ("rf_band", "jamming_state", "spoofing_state", "reserved", "valid_flags")
-    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "valid_flags")
+    __slots__ = (
+        "rf_band",
+        "jamming_state",
+        "spoofing_state",
+        "frequency",
+        "reserved",
+        "valid_flags",
+    )
+    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "frequency", "valid_flags")
 
     SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
     DESCRIPTOR = 0x14
@@ -2317,7 +2360,8 @@ class RfErrorDetection(Shared, Data):
         ("rf_band", "B", RfBand),
         ("jamming_state", "B", JammingState),
         ("spoofing_state", "B", SpoofingState),
-        ("reserved", "BBBB", tuple),
+        ("frequency", "H", None),
+        ("reserved", "BB", tuple),
         ("valid_flags", "H", RfErrorDetectionFlags),
     )
 
@@ -2327,7 +2371,11 @@ class RfErrorDetection(Shared, Data):
     """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
     spoofing_state: SpoofingState
     """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
-    reserved: tuple[int, int, int, int]
+    frequency: int
+    """Centre frequency of the band. Unit: MHz. Valid if `RfErrorDetectionFlags.FREQUENCY` of
+    `valid_flags` is set.
+    """
+    reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
     """Which values are valid."""
@@ -2337,13 +2385,15 @@ class RfErrorDetection(Shared, Data):
         rf_band: RfBand,
         jamming_state: JammingState,
         spoofing_state: SpoofingState,
+        frequency: int,
         valid_flags: RfErrorDetectionFlags,
         *,
-        reserved: Sequence[int] = (0, 0, 0, 0),
+        reserved: Sequence[int] = (0, 0),
     ) -> None:
         self.rf_band = rf_band
         self.jamming_state = jamming_state
         self.spoofing_state = spoofing_state
+        self.frequency = frequency
         self.reserved = codec.several(reserved)
         self.valid_flags = valid_flags
 
@@ -2354,18 +2404,92 @@ class RfErrorDetection(Shared, Data):
         rf_band = RfBand(v[0])
         jamming_state = JammingState(v[1])
         spoofing_state = SpoofingState(v[2])
-        reserved = v[3:7]
-        valid_flags = RfErrorDetectionFlags(v[7])
-        return cls(rf_band, jamming_state, spoofing_state, valid_flags, reserved=reserved), at
+        frequency = v[3]
+        reserved = v[4:6]
+        valid_flags = RfErrorDetectionFlags(v[6])
+        return cls(
+            rf_band, jamming_state, spoofing_state, frequency, valid_flags, reserved=reserved
+        ), at
 
     def _write(self) -> bytes:
         out = _RF_ERROR_DETECTION_0.write(
             self.rf_band,
             self.jamming_state,
             self.spoofing_state,
-            *codec.exactly("reserved", self.reserved, 4),
+            self.frequency,
+            *codec.exactly("reserved", self.reserved, 2),
             self.valid_flags,
         )
+        return codec.finished(out)
+
+
+_HEADING_0 = codec.Block("ffBH", "heading", "uncertainty", "fix_type", "valid_flags")
+
+
+class Heading(Shared, Data):
+    """GNSS heading (0x15).
+
+    Heading that the receiver computes from its antennas.
+
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name any.
+
+    - mip-sdk-4: Heading (0x81,0x15)
+    """
+
+    __slots__ = ("heading", "uncertainty", "fix_type", "valid_flags")
+    __match_args__ = ("heading", "uncertainty", "fix_type", "valid_flags")
+
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x15
+    NAME = "gnss_data.heading"
+    ROLE = "data"
+    _LAYOUT = (
+        ("heading", "f", None),
+        ("uncertainty", "f", None),
+        ("fix_type", "B", HeadingFixType),
+        ("valid_flags", "H", HeadingFlags),
+    )
+
+    heading: float
+    """Heading of the baseline between the antennas. Unit: deg. Valid if `HeadingFlags.HEADING` of
+    `valid_flags` is set. Uncertain: The reference and the range. Clockwise from true north is
+    usual; the SDK only states degrees.
+    """
+    uncertainty: float
+    """Uncertainty of the heading. Unit: deg. Valid if `HeadingFlags.UNCERTAINTY` of `valid_flags`
+    is set. Uncertain: Whether it is one standard deviation.
+    """
+    fix_type: HeadingFixType
+    """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
+    valid_flags: HeadingFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        heading: float,
+        uncertainty: float,
+        fix_type: HeadingFixType,
+        valid_flags: HeadingFlags,
+    ) -> None:
+        self.heading = heading
+        self.uncertainty = uncertainty
+        self.fix_type = fix_type
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Heading, int]:
+        v = _HEADING_0.read(raw, at)
+        at += 11
+        heading = v[0]
+        uncertainty = v[1]
+        fix_type = HeadingFixType(v[2])
+        valid_flags = HeadingFlags(v[3])
+        return cls(heading, uncertainty, fix_type, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_0.write(self.heading, self.uncertainty, self.fix_type, self.valid_flags)
         return codec.finished(out)
 
 
@@ -5153,6 +5277,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x12: (SbasInfo,),
     0x13: (SbasCorrection,),
     0x14: (RfErrorDetection,),
+    0x15: (Heading,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
     0x30: (BaseStationInfo,),

@@ -316,17 +316,21 @@ _EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
 class EventThresholdWindow(Structure):
-    """Two thresholds with a window between them."""
+    """Two thresholds with a window between them.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
+    - mip-sdk-4: Event Trigger (0x0C,0x2E)
+    """
 
     __slots__ = ("low_threshold", "high_threshold")
     __match_args__ = ("low_threshold", "high_threshold")
 
     low_threshold: float
-    """Lower threshold, in the unit of the watched value."""
+    """Lower threshold, in the unit of the watched value. The SDK calls it the first threshold."""
     high_threshold: float
     """Upper threshold, in the unit of the watched value. The trigger is active from the lower
     threshold to the upper one, both included. If the upper one is below the lower one, it is active
-    below the upper and above the lower one, both excluded.
+    below the upper and above the lower one, both excluded. The SDK calls it the second threshold.
     """
 
     def __init__(self, low_threshold: float, high_threshold: float) -> None:
@@ -350,17 +354,23 @@ _EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval"
 
 
 class EventThresholdInterval(Structure):
-    """A threshold inside a repeating interval."""
+    """A threshold inside a repeating interval.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
+    - mip-sdk-4: Event Trigger (0x0C,0x2E)
+    """
 
     __slots__ = ("interval_threshold", "interval")
     __match_args__ = ("interval_threshold", "interval")
 
     interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
+    The SDK calls it the first threshold.
     """
     interval: float
     """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
     two swap roles: the trigger is active while the value modulo `interval_threshold` is above this.
+    The SDK calls it the second threshold.
     """
 
     def __init__(self, interval_threshold: float, interval: float) -> None:
@@ -981,9 +991,9 @@ class CommInterface(codec.OpenEnum):
     UART_1 = 17
     """The first port that is a UART or can be one."""
     UART_2 = 18
-    """The second UART."""
+    """The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models."""
     UART_3 = 19
-    """The third UART."""
+    """The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models."""
     USB_1 = 33
     """First virtual serial port of USB."""
     USB_2 = 34

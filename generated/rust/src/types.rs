@@ -363,13 +363,19 @@ constructors! {
 
 record! {
     /// Two thresholds with a window between them.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams; mip-sdk-4: Event Trigger (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
+        ///
+        /// - The SDK calls it the first threshold.
         pub low_threshold: f64,
         /// Upper threshold, in the unit of the watched value. The trigger is active from the lower
         /// threshold to the upper one, both included. If the upper one is below the lower one, it
         /// is active below the upper and above the lower one, both excluded.
+        ///
+        /// - The SDK calls it the second threshold.
         pub high_threshold: f64,
     }
 }
@@ -384,14 +390,20 @@ constructors! {
 
 record! {
     /// A threshold inside a repeating interval.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams; mip-sdk-4: Event Trigger (0x0C,0x2E).
     #[derive(Copy, Default)]
     pub struct EventThresholdInterval {
         /// The trigger is active while the remainder is at most this, in the unit of the watched
         /// value.
+        ///
+        /// - The SDK calls it the first threshold.
         pub interval_threshold: f64,
         /// Divisor of the remainder, in the unit of the watched value. If it is below the
         /// threshold, the two swap roles: the trigger is active while the value modulo
         /// `interval_threshold` is above this.
+        ///
+        /// - The SDK calls it the second threshold.
         pub interval: f64,
     }
 }
@@ -933,9 +945,9 @@ open_enum! {
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.
         UART_1 = 17, "uart_1";
-        /// The second UART.
+        /// The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models.
         UART_2 = 18, "uart_2";
-        /// The third UART.
+        /// The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
         UART_3 = 19, "uart_3";
         /// First virtual serial port of USB.
         USB_1 = 33, "usb_1";

@@ -1094,6 +1094,51 @@ static const struct mip_named_bits bits_gnss_beidou_signals[] = {
 const struct mip_names mip_names_gnss_beidou_signals = {
     name_gnss_beidou_signals, labels_gnss_beidou_signals, NULL, bits_gnss_beidou_signals, 3, 1};
 
+static const char name_gnss_receiver_id[] = "gnss.receiver_id";
+static const char labels_gnss_receiver_id[] = "all\0"
+                                              "internal_receiver_1\0"
+                                              "internal_receiver_2\0"
+                                              "user_receiver_1\0"
+                                              "user_receiver_2";
+static const uint8_t numbers_gnss_receiver_id[] = {0, 1, 2, 4, 5};
+const struct mip_names mip_names_gnss_receiver_id = {
+    name_gnss_receiver_id, labels_gnss_receiver_id, numbers_gnss_receiver_id, NULL, 5, 1};
+const char *mip_gnss_receiver_id_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_receiver_id, value);
+}
+
+static const char name_gnss_receiver_reset_type[] = "gnss.receiver_reset_type";
+static const char labels_gnss_receiver_reset_type[] = "hardware\0"
+                                                      "cold\0"
+                                                      "warm\0"
+                                                      "hot";
+static const uint8_t numbers_gnss_receiver_reset_type[] = {1, 2, 3, 4};
+const struct mip_names mip_names_gnss_receiver_reset_type = {name_gnss_receiver_reset_type,
+                                                             labels_gnss_receiver_reset_type,
+                                                             numbers_gnss_receiver_reset_type,
+                                                             NULL,
+                                                             4,
+                                                             1};
+const char *mip_gnss_receiver_reset_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_receiver_reset_type, value);
+}
+
+static const char name_gnss_ambiguity_fix_mode[] = "gnss.ambiguity_fix_mode";
+static const char labels_gnss_ambiguity_fix_mode[] = "off\0"
+                                                     "conservative\0"
+                                                     "moderate\0"
+                                                     "aggressive";
+static const uint8_t numbers_gnss_ambiguity_fix_mode[] = {1, 2, 3, 4};
+const struct mip_names mip_names_gnss_ambiguity_fix_mode = {name_gnss_ambiguity_fix_mode,
+                                                            labels_gnss_ambiguity_fix_mode,
+                                                            numbers_gnss_ambiguity_fix_mode,
+                                                            NULL,
+                                                            4,
+                                                            1};
+const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_ambiguity_fix_mode, value);
+}
+
 static const char name_gnss_spartn_connection[] = "gnss.spartn_connection";
 static const char labels_gnss_spartn_connection[] = "none\0"
                                                     "network\0"
@@ -1218,18 +1263,16 @@ static const char name_system_comm_protocols[] = "system.comm_protocols";
 static const char labels_system_comm_protocols[] = "mip\0"
                                                    "nmea\0"
                                                    "rtcm\0"
-                                                   "spartn";
+                                                   "spartn\0"
+                                                   "sbf";
 static const struct mip_named_bits bits_system_comm_protocols[] = {
-    {0, 1, NULL},
-    {8, 1, NULL},
-    {9, 1, NULL},
-    {24, 1, NULL},
+    {0, 1, NULL}, {8, 1, NULL}, {9, 1, NULL}, {24, 1, NULL}, {29, 1, NULL},
 };
 const struct mip_names mip_names_system_comm_protocols = {name_system_comm_protocols,
                                                           labels_system_comm_protocols,
                                                           NULL,
                                                           bits_system_comm_protocols,
-                                                          4,
+                                                          5,
                                                           4};
 
 static const char name_system_protocol_mode[] = "system.protocol_mode";
@@ -1726,20 +1769,51 @@ static const char name_gnss_data_rf_error_detection_flags[] = "gnss_data.rf_erro
 static const char labels_gnss_data_rf_error_detection_flags[] = "rf_band\0"
                                                                 "jamming_state\0"
                                                                 "spoofing_state\0"
+                                                                "frequency\0"
                                                                 "flags";
 static const struct mip_named_bits bits_gnss_data_rf_error_detection_flags[] = {
-    {0, 1, NULL},
-    {1, 1, NULL},
-    {2, 1, NULL},
-    {0, 3, NULL},
+    {0, 1, NULL}, {1, 1, NULL}, {2, 1, NULL}, {3, 1, NULL}, {0, 4, NULL},
 };
 const struct mip_names mip_names_gnss_data_rf_error_detection_flags = {
     name_gnss_data_rf_error_detection_flags,
     labels_gnss_data_rf_error_detection_flags,
     NULL,
     bits_gnss_data_rf_error_detection_flags,
-    4,
+    5,
     2};
+
+static const char name_gnss_data_heading_fix_type[] = "gnss_data.heading_fix_type";
+static const char labels_gnss_data_heading_fix_type[] = "unknown\0"
+                                                        "float\0"
+                                                        "fixed";
+static const uint8_t numbers_gnss_data_heading_fix_type[] = {0, 1, 2};
+const struct mip_names mip_names_gnss_data_heading_fix_type = {name_gnss_data_heading_fix_type,
+                                                               labels_gnss_data_heading_fix_type,
+                                                               numbers_gnss_data_heading_fix_type,
+                                                               NULL,
+                                                               3,
+                                                               1};
+const char *mip_gnss_data_heading_fix_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_gnss_data_heading_fix_type, value);
+}
+
+static const char name_gnss_data_heading_flags[] = "gnss_data.heading_flags";
+static const char labels_gnss_data_heading_flags[] = "heading\0"
+                                                     "uncertainty\0"
+                                                     "fix_type\0"
+                                                     "flags";
+static const struct mip_named_bits bits_gnss_data_heading_flags[] = {
+    {0, 1, NULL},
+    {1, 1, NULL},
+    {2, 1, NULL},
+    {0, 3, NULL},
+};
+const struct mip_names mip_names_gnss_data_heading_flags = {name_gnss_data_heading_flags,
+                                                            labels_gnss_data_heading_flags,
+                                                            NULL,
+                                                            bits_gnss_data_heading_flags,
+                                                            4,
+                                                            2};
 
 static const char name_gnss_data_satellite_status_flags[] = "gnss_data.satellite_status_flags";
 static const char labels_gnss_data_satellite_status_flags[] = "tow\0"
@@ -2422,6 +2496,9 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gnss_glonass_signals,
     &mip_names_gnss_galileo_signals,
     &mip_names_gnss_beidou_signals,
+    &mip_names_gnss_receiver_id,
+    &mip_names_gnss_receiver_reset_type,
+    &mip_names_gnss_ambiguity_fix_mode,
     &mip_names_gnss_spartn_connection,
     &mip_names_rtk_connected_device,
     &mip_names_rtk_service_flags,
@@ -2464,6 +2541,8 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_gnss_data_jamming_state,
     &mip_names_gnss_data_spoofing_state,
     &mip_names_gnss_data_rf_error_detection_flags,
+    &mip_names_gnss_data_heading_fix_type,
+    &mip_names_gnss_data_heading_flags,
     &mip_names_gnss_data_satellite_status_flags,
     &mip_names_gnss_data_signal_quality,
     &mip_names_gnss_data_raw_flags,

@@ -150,6 +150,12 @@ extern MIP_API const struct mip_names mip_names_gnss_glonass_signals;
 extern MIP_API const struct mip_names mip_names_gnss_galileo_signals;
 /** gnss.beidou_signals */
 extern MIP_API const struct mip_names mip_names_gnss_beidou_signals;
+/** gnss.receiver_id */
+extern MIP_API const struct mip_names mip_names_gnss_receiver_id;
+/** gnss.receiver_reset_type */
+extern MIP_API const struct mip_names mip_names_gnss_receiver_reset_type;
+/** gnss.ambiguity_fix_mode */
+extern MIP_API const struct mip_names mip_names_gnss_ambiguity_fix_mode;
 /** gnss.spartn_connection */
 extern MIP_API const struct mip_names mip_names_gnss_spartn_connection;
 /** rtk.connected_device */
@@ -234,6 +240,10 @@ extern MIP_API const struct mip_names mip_names_gnss_data_jamming_state;
 extern MIP_API const struct mip_names mip_names_gnss_data_spoofing_state;
 /** gnss_data.rf_error_detection_flags */
 extern MIP_API const struct mip_names mip_names_gnss_data_rf_error_detection_flags;
+/** gnss_data.heading_fix_type */
+extern MIP_API const struct mip_names mip_names_gnss_data_heading_fix_type;
+/** gnss_data.heading_flags */
+extern MIP_API const struct mip_names mip_names_gnss_data_heading_flags;
 /** gnss_data.satellite_status_flags */
 extern MIP_API const struct mip_names mip_names_gnss_data_satellite_status_flags;
 /** gnss_data.signal_quality */

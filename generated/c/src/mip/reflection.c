@@ -3845,6 +3845,37 @@ static const struct mip_record record_gnss_signal_config = {
 };
 static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_gnss_receiver_reset[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_receiver_reset, receiver_id), 0, &mip_names_gnss_receiver_id, NULL, NULL,
+     NULL, 0},
+    {"reset_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_receiver_reset, reset_type), 0, &mip_names_gnss_receiver_reset_type, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_receiver_reset = {
+    parameters_gnss_receiver_reset,
+    2,
+    sizeof(struct mip_gnss_receiver_reset),
+};
+
+static const struct mip_parameter parameters_gnss_rtk_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_config, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
+    {"ambiguity_fix_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_gnss_rtk_config, ambiguity_fix_mode), 0, &mip_names_gnss_ambiguity_fix_mode,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 2, 0,
+     MANY(struct mip_gnss_rtk_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_config = {
+    parameters_gnss_rtk_config,
+    3,
+    sizeof(struct mip_gnss_rtk_config),
+};
+static const uint8_t required_gnss_rtk_config[] = {0, 2, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_rtk_dongle_config, function), 0, &mip_names_function_selector, NULL, NULL,
@@ -3923,6 +3954,19 @@ static const struct mip_record record_gnss_signal_config_response = {
     parameters_gnss_signal_config_response,
     5,
     sizeof(struct mip_gnss_signal_config_response),
+};
+
+static const struct mip_parameter parameters_gnss_rtk_config_response[] = {
+    {"ambiguity_fix_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_config_response, ambiguity_fix_mode), 0,
+     &mip_names_gnss_ambiguity_fix_mode, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_rtk_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_config_response = {
+    parameters_gnss_rtk_config_response,
+    2,
+    sizeof(struct mip_gnss_rtk_config_response),
 };
 
 static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] = {
@@ -5121,7 +5165,9 @@ static const struct mip_parameter parameters_gnss_data_rf_error_detection[] = {
     {"spoofing_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_data_rf_error_detection, spoofing_state), 0,
      &mip_names_gnss_data_spoofing_state, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+    {"frequency", "MHz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_rf_error_detection, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
      MANY(struct mip_gnss_data_rf_error_detection, reserved), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_data_rf_error_detection, valid_flags), 0,
@@ -5129,8 +5175,26 @@ static const struct mip_parameter parameters_gnss_data_rf_error_detection[] = {
 };
 static const struct mip_record record_gnss_data_rf_error_detection = {
     parameters_gnss_data_rf_error_detection,
-    5,
+    6,
     sizeof(struct mip_gnss_data_rf_error_detection),
+};
+
+static const struct mip_parameter parameters_gnss_data_heading[] = {
+    {"heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, heading), 0, NULL, NULL, NULL, NULL, 0},
+    {"uncertainty", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, fix_type), 0, &mip_names_gnss_data_heading_fix_type, NULL,
+     NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_heading, valid_flags), 0, &mip_names_gnss_data_heading_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_data_heading = {
+    parameters_gnss_data_heading,
+    4,
+    sizeof(struct mip_gnss_data_heading),
 };
 
 static const struct mip_parameter parameters_gnss_data_satellite_status[] = {
@@ -7141,6 +7205,9 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
      required_gnss_signal_config, sizeof(required_gnss_signal_config),
      offsetof(struct mip_gnss_signal_config, present)},
+    {&mip_gnss_receiver_reset_codec, &record_gnss_receiver_reset, false, false, NULL, 0, 0},
+    {&mip_gnss_rtk_config_codec, &record_gnss_rtk_config, true, true, required_gnss_rtk_config,
+     sizeof(required_gnss_rtk_config), offsetof(struct mip_gnss_rtk_config, present)},
     {&mip_gnss_rtk_dongle_config_codec, &record_gnss_rtk_dongle_config, true, true,
      required_gnss_rtk_dongle_config, sizeof(required_gnss_rtk_dongle_config),
      offsetof(struct mip_gnss_rtk_dongle_config, present)},
@@ -7151,6 +7218,8 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_gnss_signal_config_response_codec, &record_gnss_signal_config_response, false, false,
      NULL, 0, 0},
+    {&mip_gnss_rtk_config_response_codec, &record_gnss_rtk_config_response, false, false, NULL, 0,
+     0},
     {&mip_gnss_rtk_dongle_config_response_codec, &record_gnss_rtk_dongle_config_response, false,
      false, NULL, 0, 0},
     {&mip_gnss_spartn_config_response_codec, &record_gnss_spartn_config_response, false, false,
@@ -7265,6 +7334,7 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_gnss_data_rf_error_detection_codec, &record_gnss_data_rf_error_detection, false, false,
      NULL, 0, 0},
+    {&mip_gnss_data_heading_codec, &record_gnss_data_heading, false, false, NULL, 0, 0},
     {&mip_gnss_data_satellite_status_codec, &record_gnss_data_satellite_status, false, false, NULL,
      0, 0},
     {&mip_gnss_data_raw_codec, &record_gnss_data_raw, false, false, NULL, 0, 0},

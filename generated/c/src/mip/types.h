@@ -681,28 +681,48 @@ struct mip_event_trigger_gpio {
     uint8_t mode;
 };
 
-/** Two thresholds with a window between them. */
+/**
+ * Two thresholds with a window between them.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ * - mip-sdk-4: Event Trigger (0x0C,0x2E)
+ */
 struct mip_event_threshold_window {
-    /** Lower threshold, in the unit of the watched value. */
+    /**
+     * Lower threshold, in the unit of the watched value.
+     *
+     * The SDK calls it the first threshold.
+     */
     double low_threshold;
     /**
      * Upper threshold, in the unit of the watched value. The trigger is active from the lower
      * threshold to the upper one, both included. If the upper one is below the lower one, it is
      * active below the upper and above the lower one, both excluded.
+     *
+     * The SDK calls it the second threshold.
      */
     double high_threshold;
 };
 
-/** A threshold inside a repeating interval. */
+/**
+ * A threshold inside a repeating interval.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ * - mip-sdk-4: Event Trigger (0x0C,0x2E)
+ */
 struct mip_event_threshold_interval {
     /**
      * The trigger is active while the remainder is at most this, in the unit of the watched value.
+     *
+     * The SDK calls it the first threshold.
      */
     double interval_threshold;
     /**
      * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
      * two swap roles: the trigger is active while the value modulo `interval_threshold` is above
      * this.
+     *
+     * The SDK calls it the second threshold.
      */
     double interval;
 };
@@ -1182,9 +1202,9 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_MAIN = 1,
     /** The first port that is a UART or can be one. */
     MIP_COMM_INTERFACE_UART_1 = 17,
-    /** The second UART. */
+    /** The second UART, on GPIO pins 1 and 2 of the 3DM-CV7 and 3DM-GV7 models. */
     MIP_COMM_INTERFACE_UART_2 = 18,
-    /** The third UART. */
+    /** The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models. */
     MIP_COMM_INTERFACE_UART_3 = 19,
     /** First virtual serial port of USB. */
     MIP_COMM_INTERFACE_USB_1 = 33,

@@ -38,6 +38,8 @@ TYPES: dict[str, Info] = {
     "JammingState": EnumInfo("gnss_data.jamming_state", gnss_data.JammingState),
     "SpoofingState": EnumInfo("gnss_data.spoofing_state", gnss_data.SpoofingState),
     "RfErrorDetectionFlags": BitsInfo("gnss_data.rf_error_detection_flags", gnss_data.RfErrorDetectionFlags, aliases=("flags",)),
+    "HeadingFixType": EnumInfo("gnss_data.heading_fix_type", gnss_data.HeadingFixType),
+    "HeadingFlags": BitsInfo("gnss_data.heading_flags", gnss_data.HeadingFlags, aliases=("flags",)),
     "SatelliteStatusFlags": BitsInfo("gnss_data.satellite_status_flags", gnss_data.SatelliteStatusFlags, aliases=("flags",)),
     "SignalQuality": EnumInfo("gnss_data.signal_quality", gnss_data.SignalQuality),
     "RawFlags": BitsInfo("gnss_data.raw_flags", gnss_data.RawFlags, aliases=("flags",)),
@@ -234,8 +236,18 @@ TYPES: dict[str, Info] = {
             Parameter("rf_band", "rf_band", "scalar", scalar="u8", valid=("valid_flags.rf_band",), type=gnss_data.RfBand, flags=(Flag("valid_flags.rf_band", "valid_flags", 0x1),)),
             Parameter("jamming_state", "jamming_state", "scalar", scalar="u8", valid=("valid_flags.jamming_state",), type=gnss_data.JammingState, flags=(Flag("valid_flags.jamming_state", "valid_flags", 0x2),)),
             Parameter("spoofing_state", "spoofing_state", "scalar", scalar="u8", valid=("valid_flags.spoofing_state",), type=gnss_data.SpoofingState, flags=(Flag("valid_flags.spoofing_state", "valid_flags", 0x4),)),
-            Parameter("reserved", "reserved", "array", scalar="u8", length=4, reserved=True, default=0),
+            Parameter("frequency", "frequency", "scalar", scalar="u16", units=("MHz",), valid=("valid_flags.frequency",), flags=(Flag("valid_flags.frequency", "valid_flags", 0x8),)),
+            Parameter("reserved", "reserved", "array", scalar="u8", length=2, reserved=True, default=0),
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.RfErrorDetectionFlags),
+        ),
+    ),
+    "Heading": FieldInfo(
+        "gnss_data.heading", gnss_data.Heading,
+        parameters=(
+            Parameter("heading", "heading", "scalar", scalar="float", units=("deg",), valid=("valid_flags.heading",), flags=(Flag("valid_flags.heading", "valid_flags", 0x1),)),
+            Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("deg",), valid=("valid_flags.uncertainty",), flags=(Flag("valid_flags.uncertainty", "valid_flags", 0x2),)),
+            Parameter("fix_type", "fix_type", "scalar", scalar="u8", valid=("valid_flags.fix_type",), type=gnss_data.HeadingFixType, flags=(Flag("valid_flags.fix_type", "valid_flags", 0x4),)),
+            Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.HeadingFlags),
         ),
     ),
     "SatelliteStatus": FieldInfo(

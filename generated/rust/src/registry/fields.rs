@@ -2009,6 +2009,23 @@ registry! {
                 "beidou_enable";
                 "reserved";
             };
+        /// Receiver reset (0x0E,0x03).
+        GnssReceiverReset(crate::gnss::ReceiverReset):
+            Command 0x03, of 1,
+            "gnss.receiver_reset", "Receiver reset",
+            [], {
+                "receiver_id";
+                "reset_type";
+            };
+        /// RTK configuration (0x0E,0x04).
+        GnssRtkConfig(crate::gnss::RtkConfig):
+            Command 0x04, of 1,
+            "gnss.rtk_config", "RTK configuration",
+            ["gnss.rtk_config_response"], {
+                "function";
+                "ambiguity_fix_mode";
+                "reserved";
+            };
         /// RTK dongle configuration (0x0E,0x10).
         GnssRtkDongleConfig(crate::gnss::RtkDongleConfig):
             Command 0x10, of 1,
@@ -2053,6 +2070,14 @@ registry! {
                 "glonass_enable";
                 "galileo_enable";
                 "beidou_enable";
+                "reserved";
+            };
+        /// RTK configuration response (0x0E,0x84).
+        GnssRtkConfigResponse(crate::gnss::RtkConfigResponse):
+            Response 0x84, of 1,
+            "gnss.rtk_config_response", "RTK configuration response",
+            ["gnss.rtk_config"], {
+                "ambiguity_fix_mode";
                 "reserved";
             };
         /// RTK dongle configuration response (0x0E,0x90).
@@ -2964,7 +2989,26 @@ registry! {
                 "rf_band";
                 "jamming_state";
                 "spoofing_state";
+                "frequency" in ["MHz"];
                 "reserved";
+                "valid_flags";
+            };
+        /// GNSS heading (0x15).
+        GnssDataHeading(crate::gnss_data::Heading):
+            Data 0x15, of 1,
+            "gnss_data.heading", "GNSS heading",
+            {
+                0x81 "gnss_data.heading",
+                0x91 "gnss_1.heading",
+                0x92 "gnss_2.heading",
+                0x93 "gnss_corrections.heading",
+                0x94 "gnss_external.heading",
+                0x95 "gnss_external_2.heading",
+            }
+            [], {
+                "heading" in ["deg"];
+                "uncertainty" in ["deg"];
+                "fix_type";
                 "valid_flags";
             };
         /// Satellite status (0x20).

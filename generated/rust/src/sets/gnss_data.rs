@@ -534,6 +534,39 @@ bitfield! {
         /// Spoofing. Bit 2.
         SPOOFING_STATE: bool = 2,
             spoofing_state, set_spoofing_state, with_spoofing_state;
+        /// Frequency; only set by firmware that sends it. Bit 3.
+        FREQUENCY: bool = 3,
+            frequency, set_frequency, with_frequency;
+        /// All of them. Bits 0 to 3. Overlaps other bits.
+        FLAGS: u8 = 0..=3,
+            flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// How the ambiguities of the carrier phase were solved for a heading.
+    HeadingFixType: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Real numbers, which is less accurate.
+        FLOAT = 1, "float";
+        /// Whole numbers of cycles.
+        FIXED = 2, "fixed";
+    }
+}
+
+bitfield! {
+    /// Which parts of the heading are valid.
+    HeadingFlags: u16 {
+        /// Heading. Bit 0.
+        HEADING: bool = 0,
+            heading, set_heading, with_heading;
+        /// Uncertainty of the heading. Bit 1.
+        UNCERTAINTY: bool = 1,
+            uncertainty, set_uncertainty, with_uncertainty;
+        /// Kind of the fix. Bit 2.
+        FIX_TYPE: bool = 2,
+            fix_type, set_fix_type, with_fix_type;
         /// All of them. Bits 0 to 2. Overlaps other bits.
         FLAGS: u8 = 0..=2,
             flags, set_flags, with_flags;
@@ -1634,6 +1667,9 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). May be supported by
     /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
     ///
+    /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time
+    ///   sends 0 there and leaves its flag clear.
+    ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
@@ -1649,8 +1685,12 @@ record! {
         ///
         /// Valid if [`valid_flags.spoofing_state`](RfErrorDetectionFlags::spoofing_state) is set.
         pub spoofing_state: SpoofingState,
+        /// Centre frequency of the band.
+        ///
+        /// Unit: MHz. Valid if [`valid_flags.frequency`](RfErrorDetectionFlags::frequency) is set.
+        pub frequency: u16,
         /// Reserved.
-        pub reserved: [u8; 4],
+        pub reserved: [u8; 2],
         /// Which values are valid.
         pub valid_flags: RfErrorDetectionFlags,
     }
@@ -1658,6 +1698,44 @@ record! {
 
 field! {
     RfErrorDetection: 0x14, "gnss_data.rf_error_detection";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
+}
+
+record! {
+    /// GNSS heading (0x15).
+    ///
+    /// Heading that the receiver computes from its antennas.
+    ///
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK. Uncertain: Which devices send it. The SDK does not name
+    /// any.
+    ///
+    /// Source: mip-sdk-4: Heading (0x81,0x15).
+    #[derive(Copy, Default)]
+    pub struct Heading {
+        /// Heading of the baseline between the antennas.
+        ///
+        /// Unit: deg. Valid if [`valid_flags.heading`](HeadingFlags::heading) is set. Uncertain:
+        /// The reference and the range. Clockwise from true north is usual; the SDK only states
+        /// degrees.
+        pub heading: f32,
+        /// Uncertainty of the heading.
+        ///
+        /// Unit: deg. Valid if [`valid_flags.uncertainty`](HeadingFlags::uncertainty) is set.
+        /// Uncertain: Whether it is one standard deviation.
+        pub uncertainty: f32,
+        /// Kind of the fix.
+        ///
+        /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
+        pub fix_type: HeadingFixType,
+        /// Which values are valid.
+        pub valid_flags: HeadingFlags,
+    }
+}
+
+field! {
+    Heading: 0x15, "gnss_data.heading";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
 }
 
