@@ -382,7 +382,7 @@ types:
             kind::sensor_comp_euler_angles: sensor_comp_euler_angles
             kind::sensor_orientation_raw_temperature: sensor_orientation_raw_temperature
             kind::sensor_internal_timestamp: sensor_internal_timestamp
-            kind::sensor_pps_timestamp: sensor_pps_timestamp
+            kind::sensor_pps_timestamp: sensor_pps_timestamp_layouts
             kind::sensor_north_vector: sensor_north_vector
             kind::sensor_up_vector: sensor_up_vector
             kind::sensor_gps_timestamp: sensor_gps_timestamp
@@ -402,7 +402,7 @@ types:
             kind::gnss_data_fix_info: gnss_data_fix_info
             kind::gnss_data_sv_info: gnss_data_sv_info
             kind::gnss_data_hardware_status: gnss_data_hardware_status
-            kind::gnss_data_dgps_info: gnss_data_dgps_info
+            kind::gnss_data_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_data_dgps_channel: gnss_data_dgps_channel
             kind::gnss_data_clock_info_2: gnss_data_clock_info_2
             kind::gnss_data_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -489,7 +489,7 @@ types:
             kind::gnss_1_fix_info: gnss_data_fix_info
             kind::gnss_1_sv_info: gnss_data_sv_info
             kind::gnss_1_hardware_status: gnss_data_hardware_status
-            kind::gnss_1_dgps_info: gnss_data_dgps_info
+            kind::gnss_1_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_1_dgps_channel: gnss_data_dgps_channel
             kind::gnss_1_clock_info_2: gnss_data_clock_info_2
             kind::gnss_1_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -519,7 +519,7 @@ types:
             kind::gnss_2_fix_info: gnss_data_fix_info
             kind::gnss_2_sv_info: gnss_data_sv_info
             kind::gnss_2_hardware_status: gnss_data_hardware_status
-            kind::gnss_2_dgps_info: gnss_data_dgps_info
+            kind::gnss_2_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_2_dgps_channel: gnss_data_dgps_channel
             kind::gnss_2_clock_info_2: gnss_data_clock_info_2
             kind::gnss_2_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -549,7 +549,7 @@ types:
             kind::gnss_corrections_fix_info: gnss_data_fix_info
             kind::gnss_corrections_sv_info: gnss_data_sv_info
             kind::gnss_corrections_hardware_status: gnss_data_hardware_status
-            kind::gnss_corrections_dgps_info: gnss_data_dgps_info
+            kind::gnss_corrections_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_corrections_dgps_channel: gnss_data_dgps_channel
             kind::gnss_corrections_clock_info_2: gnss_data_clock_info_2
             kind::gnss_corrections_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -579,7 +579,7 @@ types:
             kind::gnss_external_fix_info: gnss_data_fix_info
             kind::gnss_external_sv_info: gnss_data_sv_info
             kind::gnss_external_hardware_status: gnss_data_hardware_status
-            kind::gnss_external_dgps_info: gnss_data_dgps_info
+            kind::gnss_external_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_external_dgps_channel: gnss_data_dgps_channel
             kind::gnss_external_clock_info_2: gnss_data_clock_info_2
             kind::gnss_external_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -609,7 +609,7 @@ types:
             kind::gnss_external_2_fix_info: gnss_data_fix_info
             kind::gnss_external_2_sv_info: gnss_data_sv_info
             kind::gnss_external_2_hardware_status: gnss_data_hardware_status
-            kind::gnss_external_2_dgps_info: gnss_data_dgps_info
+            kind::gnss_external_2_dgps_info: gnss_data_dgps_info_layouts
             kind::gnss_external_2_dgps_channel: gnss_data_dgps_channel
             kind::gnss_external_2_clock_info_2: gnss_data_clock_info_2
             kind::gnss_external_2_gps_leap_seconds: gnss_data_gps_leap_seconds
@@ -685,6 +685,42 @@ types:
         value: (_io.size <= 2 or byte_2 == 0x02)
       number:
         value: "fits_5 and _io.size >= 86 ? 5 : fits_4 and _io.size >= 80 ? 4 : fits_3 and _io.size >= 77 ? 3 : fits_6 and _io.size >= 73 ? 6 : fits_7 and _io.size >= 60 ? 7 : fits_2 and _io.size >= 51 ? 2 : fits_0 and _io.size >= 13 ? 0 : fits_1 and _io.size >= 11 ? 1 : fits_1 ? 1 : fits_0 ? 0 : fits_2 ? 2 : fits_7 ? 7 : fits_6 ? 6 : fits_3 ? 3 : fits_4 ? 4 : fits_5 ? 5 : -1"
+  sensor_pps_timestamp_layouts:
+    -kind: layouts
+    doc: The layout of the data, chosen by its constants and its size.
+    seq:
+      - id: layout
+        size-eos: true
+        type:
+          switch-on: number
+          cases:
+            0: sensor_pps_timestamp
+            1: sensor_pps_timestamp_with_flags
+    instances:
+      fits_0:
+        value: true
+      fits_1:
+        value: true
+      number:
+        value: "fits_1 and _io.size >= 9 ? 1 : fits_0 and _io.size >= 8 ? 0 : fits_0 ? 0 : fits_1 ? 1 : -1"
+  gnss_data_dgps_info_layouts:
+    -kind: layouts
+    doc: The layout of the data, chosen by its constants and its size.
+    seq:
+      - id: layout
+        size-eos: true
+        type:
+          switch-on: number
+          cases:
+            0: gnss_data_dgps_info
+            1: gnss_data_dgps_info_satellite
+    instances:
+      fits_0:
+        value: true
+      fits_1:
+        value: true
+      number:
+        value: "fits_1 and _io.size >= 15 ? 1 : fits_0 and _io.size >= 12 ? 0 : fits_0 ? 0 : fits_1 ? 1 : -1"
   vector3f:
     -kind: vector
     doc: Three floats.
@@ -6752,7 +6788,7 @@ types:
     seq:
       - id: counts
         type: u4
-        doc: "Counter. Unit: 1."
+        doc: "Counter: 62 500 counts per second, 16 us each. Unit: 1."
   sensor_pps_timestamp:
     -orig-id: sensor.pps_timestamp
     doc: PPS timestamp. Time counted by the pulse per second.
@@ -6763,6 +6799,19 @@ types:
       - id: useconds
         type: u4
         doc: "Fraction of the second. Unit: us."
+  sensor_pps_timestamp_with_flags:
+    -orig-id: sensor.pps_timestamp_with_flags
+    doc: PPS timestamp with flags. Time counted by the pulse per second, with its state and nanoseconds.
+    seq:
+      - id: flags
+        type: u1
+        doc: State of the time.
+      - id: seconds
+        type: u4
+        doc: "Whole seconds. Unit: s."
+      - id: nanoseconds
+        type: u4
+        doc: "Fraction of the second. Unit: ns."
   sensor_north_vector:
     -orig-id: sensor.north_vector
     doc: Complementary filter stabilized north vector. Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
@@ -7075,6 +7124,25 @@ types:
       - id: num_channels
         type: u2
         doc: "Number of channels that have corrections. Unit: 1. Valid if `valid_flags.num_channels` is set."
+      - id: valid_flags
+        type: gnss_data_dgps_info_flags
+        doc: Which values are valid.
+  gnss_data_dgps_info_satellite:
+    -orig-id: gnss_data.dgps_info_satellite
+    doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    seq:
+      - id: satellite_id
+        type: u1
+        doc: Number of the satellite.
+      - id: age
+        type: f4
+        doc: "Age of the correction. Unit: s. Valid if `valid_flags.age` is set."
+      - id: range_correction
+        type: f4
+        doc: "Correction of the range. Unit: m."
+      - id: range_rate_correction
+        type: f4
+        doc: "Correction of the range rate. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
         doc: Which values are valid.

@@ -2913,7 +2913,7 @@ field({ descriptor = 0x0E, name = "sensor.internal_timestamp", role = "data", ti
     doc = "Free-running counter of the device.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter. Unit: 1." },
+      { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter: 62 500 counts per second, 16 us each. Unit: 1." },
     } }, { { set = 0x80, name = "sensor.internal_timestamp", title = "Internal timestamp" }, })
 field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
     doc = "Time counted by the pulse per second.", least = 8,
@@ -2922,6 +2922,14 @@ field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title =
       { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
       { kind = "scalar", name = "useconds", type = "u32", size = 4, units = {"us", }, doc = "Fraction of the second. Unit: us." },
     } }, { { set = 0x80, name = "sensor.pps_timestamp", title = "PPS timestamp" }, })
+field({ descriptor = 0x0F, name = "sensor.pps_timestamp_with_flags", role = "data", title = "PPS timestamp with flags",
+    doc = "Time counted by the pulse per second, with its state and nanoseconds.", least = 9,
+    always = 3,
+    rows = {
+      { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "State of the time." },
+      { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
+      { kind = "scalar", name = "nanoseconds", type = "u32", size = 4, units = {"ns", }, doc = "Fraction of the second. Unit: ns." },
+    } }, { { set = 0x80, name = "sensor.pps_timestamp_with_flags", title = "PPS timestamp with flags" }, })
 field({ descriptor = 0x10, name = "sensor.north_vector", role = "data", title = "Complementary filter stabilized north vector",
     doc = "Estimate of the geomagnetic field by the complementary filter, free of short disturbances.", least = 12,
     always = 1,
@@ -3101,6 +3109,16 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
+field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
+    doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
+    always = 5,
+    rows = {
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the range. Unit: m." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Correction of the range rate. Unit: m/s." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Which values are valid." },
+    } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
     always = 5,

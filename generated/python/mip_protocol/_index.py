@@ -1507,6 +1507,13 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
     ),
     "sensor.internal_timestamp": ("sensor", "InternalTimestamp", "data", "Internal timestamp", ()),
     "sensor.pps_timestamp": ("sensor", "PpsTimestamp", "data", "PPS timestamp", ()),
+    "sensor.pps_timestamp_with_flags": (
+        "sensor",
+        "PpsTimestampWithFlags",
+        "data",
+        "PPS timestamp with flags",
+        (),
+    ),
     "sensor.north_vector": (
         "sensor",
         "NorthVector",
@@ -1569,6 +1576,13 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         ("hw_status",),
     ),
     "gnss_data.dgps_info": ("gnss_data", "DgpsInfo", "data", "DGPS info", ()),
+    "gnss_data.dgps_info_satellite": (
+        "gnss_data",
+        "DgpsInfoSatellite",
+        "data",
+        "DGPS info with a satellite",
+        (),
+    ),
     "gnss_data.dgps_channel": ("gnss_data", "DgpsChannel", "data", "DGPS channel", ()),
     "gnss_data.clock_info_2": ("gnss_data", "ClockInfo2", "data", "Clock info 2", ()),
     "gnss_data.gps_leap_seconds": ("gnss_data", "GpsLeapSeconds", "data", "GPS leap seconds", ()),

@@ -1714,14 +1714,17 @@ class DgpsInfo(Shared, Data):
     State of the differential corrections.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The layout
-    is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with
-    the valid flags. Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
-    `DgpsChannel` and does not agree with its own valid flags (age, base station id, base station
-    status, number of channels).
+    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
+    data. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: Whether any device sends
+    `DgpsInfoSatellite`, the layout of the SDK, instead. Only this one agrees with the valid flags,
+    which are the same in all sources.
+
+    The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
+    the SDK of 2014.
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
-    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    - mscl: DGPS Info (0x81,0x0E)
+    - mip-sdk-2014: DGPS Info (0x81,0x0E)
     """
 
     __slots__ = ("age", "base_station_id", "base_station_status", "num_channels", "valid_flags")
@@ -1779,6 +1782,10 @@ class DgpsInfo(Shared, Data):
         self.valid_flags = valid_flags
 
     @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return len(data) < 15
+
+    @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
         v = _DGPS_INFO_0.read(raw, at)
         at += 12
@@ -1800,6 +1807,105 @@ class DgpsInfo(Shared, Data):
         return codec.finished(out)
 
 
+_DGPS_INFO_SATELLITE_0 = codec.Block(
+    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
+)
+
+
+class DgpsInfoSatellite(Shared, Data):
+    """DGPS info with a satellite (0x0E).
+
+    Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+
+    Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
+    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
+    listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether any
+    device sends it. The values are those of `DgpsChannel`, but the flags are those of `DgpsInfo`,
+    so a mistake of the SDK is likely.
+
+    The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The
+    flags of `base_station_id`, `base_station_status` and `num_channels` belong to no value of this
+    layout.
+
+    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    """
+
+    __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
+    __match_args__ = (
+        "satellite_id",
+        "age",
+        "range_correction",
+        "range_rate_correction",
+        "valid_flags",
+    )
+
+    SETS = (0x81, 0x91, 0x92, 0x93, 0x94, 0x95)
+    DESCRIPTOR = 0x0E
+    NAME = "gnss_data.dgps_info_satellite"
+    ROLE = "data"
+    _LAYOUT = (
+        ("satellite_id", "B", None),
+        ("age", "f", None),
+        ("range_correction", "f", None),
+        ("range_rate_correction", "f", None),
+        ("valid_flags", "H", DgpsInfoFlags),
+    )
+
+    satellite_id: int
+    """Number of the satellite."""
+    age: float
+    """Age of the correction. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
+    Uncertain: The unit, which follows from `DgpsChannel`.
+    """
+    range_correction: float
+    """Correction of the range. Unit: m. Uncertain: The unit, which follows from `DgpsChannel`."""
+    range_rate_correction: float
+    """Correction of the range rate. Unit: m/s. Uncertain: The unit, which follows from
+    `DgpsChannel`.
+    """
+    valid_flags: DgpsInfoFlags
+    """Which values are valid."""
+
+    def __init__(
+        self,
+        satellite_id: int,
+        age: float,
+        range_correction: float,
+        range_rate_correction: float,
+        valid_flags: DgpsInfoFlags,
+    ) -> None:
+        self.satellite_id = satellite_id
+        self.age = age
+        self.range_correction = range_correction
+        self.range_rate_correction = range_rate_correction
+        self.valid_flags = valid_flags
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 15 <= len(data)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfoSatellite, int]:
+        v = _DGPS_INFO_SATELLITE_0.read(raw, at)
+        at += 15
+        satellite_id = v[0]
+        age = v[1]
+        range_correction = v[2]
+        range_rate_correction = v[3]
+        valid_flags = DgpsInfoFlags(v[4])
+        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_INFO_SATELLITE_0.write(
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _DGPS_CHANNEL_0 = codec.Block(
     "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
 )
@@ -1812,11 +1918,13 @@ class DgpsChannel(Shared, Data):
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
-    Known only from the MicroStrain MIP SDK.
+    Known only from the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Dgps Channel (0x81,0x0F)
+    - mscl: DGPS Channel Status (0x81,0x0F)
+    - mip-sdk-2014: DGPS Channel (0x81,0x0F)
     """
 
     __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
@@ -5270,7 +5378,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
     0x0D: (HardwareStatus,),
-    0x0E: (DgpsInfo,),
+    0x0E: (DgpsInfo, DgpsInfoSatellite),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),

@@ -1713,14 +1713,17 @@ static inline mip_error mip_gnss_data_hardware_status_encode_inline(
  * State of the differential corrections.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-35 and 3DM-GX5-45.
- * Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the
- * vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats
- * and u16. It is that of mip_gnss_data_dgps_channel and does not agree with its own valid flags
- * (age, base station id, base station status, number of channels).
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from
+ * mip_gnss_data_dgps_info_satellite by the size of its data. Supported by 3DM-GX5-35 and
+ * 3DM-GX5-45. Uncertain: Whether any device sends mip_gnss_data_dgps_info_satellite, the layout of
+ * the SDK, instead. Only this one agrees with the valid flags, which are the same in all sources.
+ *
+ * The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
+ * the SDK of 2014.
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
- * - mip-sdk-4: Dgps Info (0x81,0x0E)
+ * - mscl: DGPS Info (0x81,0x0E)
+ * - mip-sdk-2014: DGPS Info (0x81,0x0E)
  */
 struct mip_gnss_data_dgps_info {
     /**
@@ -1748,7 +1751,10 @@ struct mip_gnss_data_dgps_info {
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/**
+ * Descriptor set, one of those above, and descriptor, as mip_field_key gives them. Other layouts
+ * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
+ */
 #define MIP_GNSS_DATA_DGPS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_INFO_DESCRIPTOR 0x0E
@@ -1774,9 +1780,13 @@ static inline mip_error mip_gnss_data_dgps_info_encode(const struct mip_gnss_dat
 static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_data_dgps_info *value,
                                                               const struct mip_field *field) {
     const uint8_t set = field->descriptor_set;
-    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
-                                ? mip_field_check(field, set, 0x0E, 12)
-                                : MIP_ERROR_SET;
+    mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                          ? mip_field_check(field, set, 0x0E, 12)
+                          : MIP_ERROR_SET;
+    if ((error == MIP_OK || error == MIP_ERROR_TRUNCATED) &&
+        !mip_codec_matches(&mip_gnss_data_dgps_info_codec, field)) {
+        error = MIP_ERROR_LAYOUT;
+    }
     if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
     }
@@ -1811,17 +1821,129 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
 }
 
 /**
+ * DGPS info with a satellite: data 0x0E.
+ *
+ * Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+ *
+ * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from mip_gnss_data_dgps_info by
+ * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Uncertain: Whether any device sends it. The values are those of mip_gnss_data_dgps_channel, but
+ * the flags are those of mip_gnss_data_dgps_info, so a mistake of the SDK is likely.
+ *
+ * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
+ * mip_gnss_data_dgps_info.
+ *
+ * The flags of `base_station_id`, `base_station_status` and `num_channels` belong to no value of
+ * this layout.
+ *
+ * - mip-sdk-4: Dgps Info (0x81,0x0E)
+ */
+struct mip_gnss_data_dgps_info_satellite {
+    /** Number of the satellite. */
+    uint8_t satellite_id;
+    /**
+     * Age of the correction. Unit: s. Valid if MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE in valid_flags is
+     * set. Uncertain: The unit, which follows from mip_gnss_data_dgps_channel.
+     */
+    float age;
+    /**
+     * Correction of the range. Unit: m. Uncertain: The unit, which follows from
+     * mip_gnss_data_dgps_channel.
+     */
+    float range_correction;
+    /**
+     * Correction of the range rate. Unit: m/s. Uncertain: The unit, which follows from
+     * mip_gnss_data_dgps_channel.
+     */
+    float range_rate_correction;
+    /** Which values are valid. */
+    mip_gnss_data_dgps_info_flags valid_flags;
+};
+
+/**
+ * Descriptor set, one of those above, and descriptor, as mip_field_key gives them. Other layouts
+ * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
+ */
+#define MIP_GNSS_DATA_DGPS_INFO_SATELLITE(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
+/** Its descriptor. */
+#define MIP_GNSS_DATA_DGPS_INFO_SATELLITE_DESCRIPTOR 0x0E
+/** Its name in the specification, in the first of its sets. */
+#define MIP_GNSS_DATA_DGPS_INFO_SATELLITE_NAME "gnss_data.dgps_info_satellite"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_satellite_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
+    struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_data_dgps_info_satellite_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
+    const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_data_dgps_info_satellite_decode_inline(
+    struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
+    const uint8_t set = field->descriptor_set;
+    mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                          ? mip_field_check(field, set, 0x0E, 15)
+                          : MIP_ERROR_SET;
+    if ((error == MIP_OK || error == MIP_ERROR_TRUNCATED) &&
+        !mip_codec_matches(&mip_gnss_data_dgps_info_satellite_codec, field)) {
+        error = MIP_ERROR_LAYOUT;
+    }
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    value->satellite_id = mip_get_8(field->data);
+    mip_get_float(&value->age, field->data + 1);
+    mip_get_float(&value->range_correction, field->data + 5);
+    mip_get_float(&value->range_rate_correction, field->data + 9);
+    value->valid_flags = mip_get_16(field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_data_dgps_info_satellite_encode_inline(
+    const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const uint8_t set = mip_builder_set(builder);
+    const mip_error error = set == 0x81 || (set >= 0x91 && set <= 0x95)
+                                ? mip_builder_reserve(builder, set, 0x0E, 15, &data)
+                                : MIP_ERROR_SET;
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->satellite_id);
+    mip_put_float(data + 1, &value->age);
+    mip_put_float(data + 5, &value->range_correction);
+    mip_put_float(data + 9, &value->range_rate_correction);
+    mip_put_16(data + 13, value->valid_flags);
+    return MIP_OK;
+}
+
+/**
  * DGPS channel: data 0x0F.
  *
  * Differential correction for one satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Dgps Channel (0x81,0x0F)
+ * - mscl: DGPS Channel Status (0x81,0x0F)
+ * - mip-sdk-2014: DGPS Channel (0x81,0x0F)
  */
 struct mip_gnss_data_dgps_channel {
     /**

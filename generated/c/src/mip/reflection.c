@@ -4706,6 +4706,20 @@ static const struct mip_record record_sensor_pps_timestamp = {
     sizeof(struct mip_sensor_pps_timestamp),
 };
 
+static const struct mip_parameter parameters_sensor_pps_timestamp_with_flags[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, flags), 0, NULL, NULL, NULL, NULL, 0},
+    {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, seconds), 0, NULL, NULL, NULL, NULL, 0},
+    {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp_with_flags, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_pps_timestamp_with_flags = {
+    parameters_sensor_pps_timestamp_with_flags,
+    3,
+    sizeof(struct mip_sensor_pps_timestamp_with_flags),
+};
+
 static const struct mip_parameter parameters_sensor_north_vector[] = {
     {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_north_vector, stabilized_mag), 0, NULL, NULL, NULL, NULL, 0},
@@ -5043,6 +5057,26 @@ static const struct mip_record record_gnss_data_dgps_info = {
     parameters_gnss_data_dgps_info,
     5,
     sizeof(struct mip_gnss_data_dgps_info),
+};
+
+static const struct mip_parameter parameters_gnss_data_dgps_info_satellite[] = {
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, range_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_rate_correction", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_data_dgps_info_satellite, range_rate_correction), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_data_dgps_info_satellite, valid_flags), 0,
+     &mip_names_gnss_data_dgps_info_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_data_dgps_info_satellite = {
+    parameters_gnss_data_dgps_info_satellite,
+    5,
+    sizeof(struct mip_gnss_data_dgps_info_satellite),
 };
 
 static const struct mip_parameter parameters_gnss_data_dgps_channel[] = {
@@ -7303,6 +7337,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_internal_timestamp_codec, &record_sensor_internal_timestamp, false, false, NULL, 0,
      0},
     {&mip_sensor_pps_timestamp_codec, &record_sensor_pps_timestamp, false, false, NULL, 0, 0},
+    {&mip_sensor_pps_timestamp_with_flags_codec, &record_sensor_pps_timestamp_with_flags, false,
+     false, NULL, 0, 0},
     {&mip_sensor_north_vector_codec, &record_sensor_north_vector, false, false, NULL, 0, 0},
     {&mip_sensor_up_vector_codec, &record_sensor_up_vector, false, false, NULL, 0, 0},
     {&mip_sensor_gps_timestamp_codec, &record_sensor_gps_timestamp, false, false, NULL, 0, 0},
@@ -7325,6 +7361,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_data_hardware_status_codec, &record_gnss_data_hardware_status, false, false, NULL, 0,
      0},
     {&mip_gnss_data_dgps_info_codec, &record_gnss_data_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_dgps_info_satellite_codec, &record_gnss_data_dgps_info_satellite, false, false,
+     NULL, 0, 0},
     {&mip_gnss_data_dgps_channel_codec, &record_gnss_data_dgps_channel, false, false, NULL, 0, 0},
     {&mip_gnss_data_clock_info_2_codec, &record_gnss_data_clock_info_2, false, false, NULL, 0, 0},
     {&mip_gnss_data_gps_leap_seconds_codec, &record_gnss_data_gps_leap_seconds, false, false, NULL,

@@ -176,6 +176,16 @@ TYPES: dict[str, Info] = {
             Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
         ),
     ),
+    "DgpsInfoSatellite": FieldInfo(
+        "gnss_data.dgps_info_satellite", gnss_data.DgpsInfoSatellite,
+        parameters=(
+            Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+            Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",), flags=(Flag("valid_flags.age", "valid_flags", 0x1),)),
+            Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
+            Parameter("range_rate_correction", "range_rate_correction", "scalar", scalar="float", units=("m/s",)),
+            Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_data.DgpsInfoFlags),
+        ),
+    ),
     "DgpsChannel": FieldInfo(
         "gnss_data.dgps_channel", gnss_data.DgpsChannel, devices=("3dm-gx5-45",), perhaps=("3dm-gx5-35",),
         parameters=(

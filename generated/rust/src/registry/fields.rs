@@ -2572,11 +2572,20 @@ registry! {
             };
         /// PPS timestamp (0x80,0x0F).
         SensorPpsTimestamp(crate::sensor::PpsTimestamp):
-            Data 0x0F, of 1,
+            Data 0x0F, of 2,
             "sensor.pps_timestamp", "PPS timestamp",
             [], {
                 "seconds" in ["s"];
                 "useconds" in ["us"];
+            };
+        /// PPS timestamp with flags (0x80,0x0F).
+        SensorPpsTimestampWithFlags(crate::sensor::PpsTimestampWithFlags):
+            Data 0x0F, of 2,
+            "sensor.pps_timestamp_with_flags", "PPS timestamp with flags",
+            [], {
+                "flags";
+                "seconds" in ["s"];
+                "nanoseconds" in ["ns"];
             };
         /// Complementary filter stabilized north vector (0x80,0x10).
         SensorNorthVector(crate::sensor::NorthVector):
@@ -2857,7 +2866,7 @@ registry! {
             };
         /// DGPS info (0x0E).
         GnssDataDgpsInfo(crate::gnss_data::DgpsInfo):
-            Data 0x0E, of 1,
+            Data 0x0E, of 2,
             "gnss_data.dgps_info", "DGPS info",
             {
                 0x81 "gnss_data.dgps_info",
@@ -2872,6 +2881,25 @@ registry! {
                 "base_station_id";
                 "base_station_status";
                 "num_channels" in ["1"];
+                "valid_flags";
+            };
+        /// DGPS info with a satellite (0x0E).
+        GnssDataDgpsInfoSatellite(crate::gnss_data::DgpsInfoSatellite):
+            Data 0x0E, of 2,
+            "gnss_data.dgps_info_satellite", "DGPS info with a satellite",
+            {
+                0x81 "gnss_data.dgps_info_satellite",
+                0x91 "gnss_1.dgps_info_satellite",
+                0x92 "gnss_2.dgps_info_satellite",
+                0x93 "gnss_corrections.dgps_info_satellite",
+                0x94 "gnss_external.dgps_info_satellite",
+                0x95 "gnss_external_2.dgps_info_satellite",
+            }
+            [], {
+                "satellite_id";
+                "age" in ["s"];
+                "range_correction" in ["m"];
+                "range_rate_correction" in ["m/s"];
                 "valid_flags";
             };
         /// DGPS channel (0x0F).

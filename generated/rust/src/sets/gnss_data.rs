@@ -1401,14 +1401,17 @@ record! {
     /// State of the differential corrections.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
-    /// The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor.
-    /// It agrees with the valid flags. Uncertain: The SDK has another layout: u8, three floats and
-    /// u16. It is that of [`DgpsChannel`] and does not agree with its own valid flags (age, base
-    /// station id, base station status, number of channels).
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
+    /// the size of its data. Supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Uncertain: Whether any device sends
+    /// [`DgpsInfoSatellite`], the layout of the SDK, instead. Only this one agrees with the valid
+    /// flags, which are the same in all sources.
     ///
-    /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
+    /// - The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL
+    ///   and in the SDK of 2014.
+    ///
+    /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mscl: DGPS Info (0x81,0x0E);
+    /// mip-sdk-2014: DGPS Info (0x81,0x0E).
     #[derive(Copy, Default)]
     pub struct DgpsInfo {
         /// Age of the corrections.
@@ -1437,6 +1440,52 @@ record! {
 field! {
     DgpsInfo: 0x0E, "gnss_data.dgps_info";
     in [0x81 0x91 0x92 0x93 0x94 0x95];
+    sizes 0..=14;
+}
+
+record! {
+    /// DGPS info with a satellite (0x0E).
+    ///
+    /// Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    ///
+    /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
+    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
+    /// of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// Uncertain: Whether any device sends it. The values are those of [`DgpsChannel`], but the
+    /// flags are those of [`DgpsInfo`], so a mistake of the SDK is likely.
+    ///
+    /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
+    ///   [`DgpsInfo`].
+    /// - The flags of `base_station_id`, `base_station_status` and `num_channels` belong to no
+    ///   value of this layout.
+    ///
+    /// Source: mip-sdk-4: Dgps Info (0x81,0x0E).
+    #[derive(Copy, Default)]
+    pub struct DgpsInfoSatellite {
+        /// Number of the satellite.
+        pub satellite_id: u8,
+        /// Age of the correction.
+        ///
+        /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
+        /// which follows from [`DgpsChannel`].
+        pub age: f32,
+        /// Correction of the range.
+        ///
+        /// Unit: m. Uncertain: The unit, which follows from [`DgpsChannel`].
+        pub range_correction: f32,
+        /// Correction of the range rate.
+        ///
+        /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
+        pub range_rate_correction: f32,
+        /// Which values are valid.
+        pub valid_flags: DgpsInfoFlags,
+    }
+}
+
+field! {
+    DgpsInfoSatellite: 0x0E, "gnss_data.dgps_info_satellite";
+    in [0x81 0x91 0x92 0x93 0x94 0x95];
+    sizes 15..=usize::MAX;
 }
 
 record! {
@@ -1447,11 +1496,13 @@ record! {
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MIP SDK of 2014, MicroStrain
+    /// Communication Library and MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
-    /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
+    /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F); mscl: DGPS Channel Status (0x81,0x0F);
+    /// mip-sdk-2014: DGPS Channel (0x81,0x0F).
     #[derive(Copy, Default)]
     pub struct DgpsChannel {
         /// Number of the satellite.
