@@ -152,6 +152,7 @@ types:
             kind::mip_3dm_message_format: mip_3dm_message_format
             kind::mip_3dm_factory_streaming: mip_3dm_factory_streaming
             kind::mip_3dm_data_stream_control: mip_3dm_data_stream_control
+            kind::mip_3dm_raw_rtcm_2_3_message: mip_3dm_raw_rtcm_2_3_message
             kind::mip_3dm_constellation_settings: mip_3dm_constellation_settings
             kind::mip_3dm_gnss_sbas_settings: mip_3dm_gnss_sbas_settings
             kind::mip_3dm_gnss_assisted_fix: mip_3dm_gnss_assisted_fix
@@ -167,6 +168,9 @@ types:
             kind::mip_3dm_sensor_to_vehicle_transform_euler: mip_3dm_sensor_to_vehicle_transform_euler
             kind::mip_3dm_sensor_to_vehicle_transform_quaternion: mip_3dm_sensor_to_vehicle_transform_quaternion
             kind::mip_3dm_sensor_to_vehicle_transform_dcm: mip_3dm_sensor_to_vehicle_transform_dcm
+            kind::mip_3dm_gps_dynamics_mode: mip_3dm_gps_dynamics_mode
+            kind::mip_3dm_imu_signal_conditioning: mip_3dm_imu_signal_conditioning
+            kind::mip_3dm_imu_timestamp: mip_3dm_imu_timestamp
             kind::mip_3dm_accel_bias: mip_3dm_accel_bias
             kind::mip_3dm_gyro_bias: mip_3dm_gyro_bias
             kind::mip_3dm_capture_gyro_bias: mip_3dm_capture_gyro_bias
@@ -182,6 +186,9 @@ types:
             kind::mip_3dm_sensor_range: mip_3dm_sensor_range
             kind::mip_3dm_get_calibrated_sensor_ranges: mip_3dm_get_calibrated_sensor_ranges
             kind::mip_3dm_low_pass_filter: mip_3dm_low_pass_filter
+            kind::mip_3dm_data_stream_format: mip_3dm_data_stream_format
+            kind::mip_3dm_device_power_state: mip_3dm_device_power_state
+            kind::mip_3dm_gps_advanced_settings: mip_3dm_gps_advanced_settings
             kind::mip_3dm_device_status: mip_3dm_device_status
             kind::mip_3dm_imu_message_format_response: mip_3dm_imu_message_format_response
             kind::mip_3dm_gnss_message_format_response: mip_3dm_gnss_message_format_response
@@ -189,13 +196,18 @@ types:
             kind::mip_3dm_get_imu_base_rate_response: mip_3dm_get_imu_base_rate_response
             kind::mip_3dm_get_gnss_base_rate_response: mip_3dm_get_gnss_base_rate_response
             kind::mip_3dm_data_stream_control_response: mip_3dm_data_stream_control_response
+            kind::mip_3dm_imu_signal_conditioning_response: mip_3dm_imu_signal_conditioning_response
             kind::mip_3dm_uart_baud_rate_response: mip_3dm_uart_baud_rate_response
+            kind::mip_3dm_data_stream_format_response: mip_3dm_data_stream_format_response
+            kind::mip_3dm_device_power_state_response: mip_3dm_device_power_state_response
             kind::mip_3dm_get_filter_base_rate_response: mip_3dm_get_filter_base_rate_response
             kind::mip_3dm_imu_low_pass_filter_response: mip_3dm_imu_low_pass_filter_response
             kind::mip_3dm_nmea_message_format_response: mip_3dm_nmea_message_format_response
             kind::mip_3dm_get_base_rate_response: mip_3dm_get_base_rate_response
             kind::mip_3dm_message_format_response: mip_3dm_message_format_response
             kind::mip_3dm_device_status_basic_response: mip_3dm_device_status_basic_response_layouts
+            kind::mip_3dm_gps_dynamics_mode_response: mip_3dm_gps_dynamics_mode_response
+            kind::mip_3dm_imu_timestamp_response: mip_3dm_imu_timestamp_response
             kind::mip_3dm_complementary_filter_response: mip_3dm_complementary_filter_response
             kind::mip_3dm_accel_bias_response: mip_3dm_accel_bias_response
             kind::mip_3dm_gyro_bias_response: mip_3dm_gyro_bias_response
@@ -225,6 +237,7 @@ types:
             kind::filter_reset: filter_reset
             kind::filter_set_initial_attitude: filter_set_initial_attitude
             kind::filter_set_initial_heading: filter_set_initial_heading
+            kind::filter_set_initial_attitude_from_imu: filter_set_initial_attitude_from_imu
             kind::filter_run: filter_run
             kind::filter_vehicle_dynamics_mode: filter_vehicle_dynamics_mode
             kind::filter_sensor_to_vehicle_rotation_euler: filter_sensor_to_vehicle_rotation_euler
@@ -478,6 +491,8 @@ types:
             kind::filter_data_gnss_dual_antenna_status: filter_data_gnss_dual_antenna_status
             kind::filter_data_aiding_frame_config_error: filter_data_aiding_frame_config_error
             kind::filter_data_aiding_frame_config_error_uncertainty: filter_data_aiding_frame_config_error_uncertainty
+            kind::displacement_data_displacement_raw: displacement_data_displacement_raw
+            kind::displacement_data_displacement: displacement_data_displacement
             kind::gnss_1_llh_position: gnss_data_llh_position
             kind::gnss_1_ecef_position: gnss_data_ecef_position
             kind::gnss_1_ned_velocity: gnss_data_ned_velocity
@@ -1196,6 +1211,46 @@ types:
       - id: enable_ranging
         type: b1
         doc: SBAS pseudoranges are used in the position solution.
+  mip_3dm_data_conditioning_flags:
+    -kind: bits
+    doc: Processing steps of 3-series devices.
+    seq:
+      - id: unused_13
+        type: b3
+      - id: quaternion_calculation
+        type: b1
+        doc: Computes the quaternion.
+      - id: disable_up_compensation
+        type: b1
+        doc: Disables the correction of pitch and roll.
+      - id: disable_north_compensation
+        type: b1
+        doc: Disables the correction of the heading.
+      - id: mag_low_power
+        type: b1
+        doc: Reduces the power of the magnetometer.
+      - id: disable_mag
+        type: b1
+        doc: Switches the magnetometer off.
+      - id: unused_7
+        type: b1
+      - id: finite_size_correction
+        type: b1
+        doc: Corrects the distance between the accelerometers.
+      - id: nan_suppressed
+        type: b1
+        doc: Suppresses values that are not a number.
+      - id: little_endian_floats
+        type: b1
+        doc: Sends floats with the least significant byte first.
+      - id: unused_2
+        type: b2
+      - id: coning_sculling
+        type: b1
+        doc: Corrects coning and sculling.
+      - id: orientation_calculation
+        type: b1
+        doc: Computes the orientation.
   filter_estimated_states:
     -kind: bits
     doc: States that the filter estimates.
@@ -3094,6 +3149,18 @@ types:
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
         doc: "Whether the stream is sent. Default: true."
+  mip_3dm_raw_rtcm_2_3_message:
+    -orig-id: 3dm.raw_rtcm_2_3_message
+    doc: Raw RTCM 2.3 message. Sends RTCM 2.3 corrections to the GNSS receiver.
+    seq:
+      - id: data
+        type: u1
+        repeat: expr
+        repeat-expr: data_count
+        doc: Bytes of the RTCM stream.
+    instances:
+      data_count:
+        value: (_io.size - _io.pos) / 1
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
     doc: Constellation Settings. Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
@@ -3388,6 +3455,80 @@ types:
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
         doc: "The matrix in row-major order. Unit: 1."
+  mip_3dm_gps_dynamics_mode:
+    -orig-id: 3dm.gps_dynamics_mode
+    doc: GPS dynamics mode. Sets the dynamics that the GNSS receiver assumes of the vehicle.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: mode
+        type: u1
+        enum: mip_3dm_receiver_dynamics
+        if: function_value == function_selector::write or _io.size >= 2
+        doc: Assumed dynamics.
+  mip_3dm_imu_signal_conditioning:
+    -orig-id: 3dm.imu_signal_conditioning
+    doc: IMU signal conditioning. Configures the filters and the orientation algorithm of 3-series devices.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: orientation_decimation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 3
+        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+      - id: data_conditioning_flags
+        type: mip_3dm_data_conditioning_flags
+        if: function_value == function_selector::write or _io.size >= 5
+        doc: "Processing steps. Default: 3."
+      - id: inertial_filter_width
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+      - id: mag_filter_width
+        type: u1
+        if: function_value == function_selector::write or _io.size >= 7
+        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+      - id: up_compensation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 9
+        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: north_compensation
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 11
+        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: mag_bandwidth
+        type: u1
+        enum: mip_3dm_mag_bandwidth
+        if: function_value == function_selector::write or _io.size >= 12
+        doc: Bandwidth of the magnetometer.
+      - id: reserved
+        type: u2
+        if: function_value == function_selector::write or _io.size >= 14
+        doc: "Reserved: send 0."
+  mip_3dm_imu_timestamp:
+    -orig-id: 3dm.imu_timestamp
+    doc: IMU timestamp. Sets or reads a counter of the time of the sensor data.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: selector
+        type: u1
+        enum: mip_3dm_imu_timestamp_selector
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
+        doc: Which counter.
+      - id: time
+        type: u4
+        if: function_value == function_selector::write or _io.size >= 6
+        doc: "Value of the counter, in the unit that `selector` states."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
     doc: Accelerometer Bias Configuration. Bias that is subtracted from the scaled acceleration.
@@ -3647,6 +3788,53 @@ types:
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
         doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
+  mip_3dm_data_stream_format:
+    -orig-id: 3dm.data_stream_format
+    doc: Data stream format. Selects MIP data or the raw data of a sensor for a stream.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: stream
+        type: u1
+        enum: mip_3dm_internal_sensor
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
+        doc: The stream.
+      - id: format
+        type: u1
+        enum: mip_3dm_stream_format
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
+        doc: Its format.
+  mip_3dm_device_power_state:
+    -orig-id: 3dm.device_power_state
+    doc: Device power state. Sets the power state of an internal sensor.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
+      - id: device
+        type: u1
+        enum: mip_3dm_internal_sensor
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
+        doc: The sensor.
+      - id: state
+        type: u1
+        enum: mip_3dm_sensor_power_state
+        if: function_value == function_selector::write or _io.size >= 3
+        doc: Its power state.
+  mip_3dm_gps_advanced_settings:
+    -orig-id: 3dm.gps_advanced_settings
+    doc: GPS advanced settings. Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+    seq:
+      - id: function_value
+        -orig-id: function
+        type: u1
+        enum: function_selector
+        doc: What to do with the setting.
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
     doc: Device Status. Gets the state of the device, in basic form or with counters.
@@ -3724,6 +3912,35 @@ types:
       - id: enabled
         type: u1
         doc: Whether the stream is sent.
+  mip_3dm_imu_signal_conditioning_response:
+    -orig-id: 3dm.imu_signal_conditioning_response
+    doc: "IMU signal conditioning response. "
+    seq:
+      - id: orientation_decimation
+        type: u2
+        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+      - id: data_conditioning_flags
+        type: mip_3dm_data_conditioning_flags
+        doc: "Processing steps. Default: 3."
+      - id: inertial_filter_width
+        type: u1
+        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+      - id: mag_filter_width
+        type: u1
+        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+      - id: up_compensation
+        type: u2
+        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: north_compensation
+        type: u2
+        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+      - id: mag_bandwidth
+        type: u1
+        enum: mip_3dm_mag_bandwidth
+        doc: Bandwidth of the magnetometer.
+      - id: reserved
+        type: u2
+        doc: Reserved.
   mip_3dm_uart_baud_rate_response:
     -orig-id: 3dm.uart_baud_rate_response
     doc: "UART Baud Rate response. "
@@ -3731,6 +3948,30 @@ types:
       - id: baud
         type: u4
         doc: "Baud rate. Unit: Bd."
+  mip_3dm_data_stream_format_response:
+    -orig-id: 3dm.data_stream_format_response
+    doc: "Data stream format response. "
+    seq:
+      - id: stream
+        type: u1
+        enum: mip_3dm_internal_sensor
+        doc: The stream.
+      - id: format
+        type: u1
+        enum: mip_3dm_stream_format
+        doc: Its format.
+  mip_3dm_device_power_state_response:
+    -orig-id: 3dm.device_power_state_response
+    doc: "Device power state response. "
+    seq:
+      - id: device
+        type: u1
+        enum: mip_3dm_internal_sensor
+        doc: The sensor.
+      - id: state
+        type: u1
+        enum: mip_3dm_sensor_power_state
+        doc: Its power state.
   mip_3dm_get_filter_base_rate_response:
     -orig-id: 3dm.get_filter_base_rate_response
     doc: "Get Estimation Filter Data Base Rate response. "
@@ -4273,6 +4514,25 @@ types:
       - id: comm_port_read_overruns
         type: u4
         doc: "Overruns while reading from the port. Unit: 1."
+  mip_3dm_gps_dynamics_mode_response:
+    -orig-id: 3dm.gps_dynamics_mode_response
+    doc: "GPS dynamics mode response. "
+    seq:
+      - id: mode
+        type: u1
+        enum: mip_3dm_receiver_dynamics
+        doc: Assumed dynamics.
+  mip_3dm_imu_timestamp_response:
+    -orig-id: 3dm.imu_timestamp_response
+    doc: "IMU timestamp response. "
+    seq:
+      - id: selector
+        type: u1
+        enum: mip_3dm_imu_timestamp_selector
+        doc: Which counter.
+      - id: time
+        type: u4
+        doc: "Value of the counter, in the unit that `selector` states."
   mip_3dm_complementary_filter_response:
     -orig-id: 3dm.complementary_filter_response
     doc: "Complementary Filter Configuration response. "
@@ -4649,6 +4909,13 @@ types:
       - id: heading
         type: f4
         doc: "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+  filter_set_initial_attitude_from_imu:
+    -orig-id: filter.set_initial_attitude_from_imu
+    doc: Set initial attitude from IMU. Initializes the attitude of the filter with that of the complementary filter.
+    seq:
+      - id: declination
+        type: f4
+        doc: "Local declination of the magnetic field. Unit: rad."
   filter_run:
     -orig-id: filter.run
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
@@ -8634,6 +8901,20 @@ types:
       - id: attitude_uncertainty
         type: vector3f
         doc: "Uncertainty of the rotation about each axis. Unit: rad."
+  displacement_data_displacement_raw:
+    -orig-id: displacement_data.displacement_raw
+    doc: Raw displacement. Displacement in counts of the converter.
+    seq:
+      - id: counts
+        type: u4
+        doc: "Displacement in counts. Unit: 1."
+  displacement_data_displacement:
+    -orig-id: displacement_data.displacement
+    doc: Displacement. Calibrated displacement of the sensor.
+    seq:
+      - id: displacement
+        type: f4
+        doc: "Displacement. Unit: mm."
   system_data_built_in_test:
     -orig-id: system_data.built_in_test
     doc: Built-in test. Flags of the tests that run all the time.
@@ -8927,6 +9208,11 @@ enums:
       -orig-id: 3dm.data_stream_control
       -role: command
       doc: Data Stream Control
+    0x0c20:
+      id: mip_3dm_raw_rtcm_2_3_message
+      -orig-id: 3dm.raw_rtcm_2_3_message
+      -role: command
+      doc: Raw RTCM 2.3 message
     0x0c21:
       id: mip_3dm_constellation_settings
       -orig-id: 3dm.constellation_settings
@@ -9002,6 +9288,21 @@ enums:
       -orig-id: 3dm.sensor_to_vehicle_transform_dcm
       -role: command
       doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
+    0x0c34:
+      id: mip_3dm_gps_dynamics_mode
+      -orig-id: 3dm.gps_dynamics_mode
+      -role: command
+      doc: GPS dynamics mode
+    0x0c35:
+      id: mip_3dm_imu_signal_conditioning
+      -orig-id: 3dm.imu_signal_conditioning
+      -role: command
+      doc: IMU signal conditioning
+    0x0c36:
+      id: mip_3dm_imu_timestamp
+      -orig-id: 3dm.imu_timestamp
+      -role: command
+      doc: IMU timestamp
     0x0c37:
       id: mip_3dm_accel_bias
       -orig-id: 3dm.accel_bias
@@ -9077,6 +9378,21 @@ enums:
       -orig-id: 3dm.low_pass_filter
       -role: command
       doc: Low-Pass Anti-Aliasing Filter
+    0x0c60:
+      id: mip_3dm_data_stream_format
+      -orig-id: 3dm.data_stream_format
+      -role: command
+      doc: Data stream format
+    0x0c61:
+      id: mip_3dm_device_power_state
+      -orig-id: 3dm.device_power_state
+      -role: command
+      doc: Device power state
+    0x0c62:
+      id: mip_3dm_gps_advanced_settings
+      -orig-id: 3dm.gps_advanced_settings
+      -role: command
+      doc: GPS advanced settings
     0x0c64:
       id: mip_3dm_device_status
       -orig-id: 3dm.device_status
@@ -9112,11 +9428,26 @@ enums:
       -orig-id: 3dm.data_stream_control_response
       -role: response
       doc: Data Stream Control response
+    0x0c86:
+      id: mip_3dm_imu_signal_conditioning_response
+      -orig-id: 3dm.imu_signal_conditioning_response
+      -role: response
+      doc: IMU signal conditioning response
     0x0c87:
       id: mip_3dm_uart_baud_rate_response
       -orig-id: 3dm.uart_baud_rate_response
       -role: response
       doc: UART Baud Rate response
+    0x0c88:
+      id: mip_3dm_data_stream_format_response
+      -orig-id: 3dm.data_stream_format_response
+      -role: response
+      doc: Data stream format response
+    0x0c89:
+      id: mip_3dm_device_power_state_response
+      -orig-id: 3dm.device_power_state_response
+      -role: response
+      doc: Device power state response
     0x0c8a:
       id: mip_3dm_get_filter_base_rate_response
       -orig-id: 3dm.get_filter_base_rate_response
@@ -9147,6 +9478,16 @@ enums:
       -orig-id: 3dm.device_status_basic_response
       -role: response
       doc: Basic Device Status
+    0x0c92:
+      id: mip_3dm_gps_dynamics_mode_response
+      -orig-id: 3dm.gps_dynamics_mode_response
+      -role: response
+      doc: GPS dynamics mode response
+    0x0c93:
+      id: mip_3dm_imu_timestamp_response
+      -orig-id: 3dm.imu_timestamp_response
+      -role: response
+      doc: IMU timestamp response
     0x0c97:
       id: mip_3dm_complementary_filter_response
       -orig-id: 3dm.complementary_filter_response
@@ -9292,6 +9633,11 @@ enums:
       -orig-id: filter.set_initial_heading
       -role: command
       doc: Set initial heading
+    0x0d04:
+      id: filter_set_initial_attitude_from_imu
+      -orig-id: filter.set_initial_attitude_from_imu
+      -role: command
+      doc: Set initial attitude from IMU
     0x0d05:
       id: filter_run
       -orig-id: filter.run
@@ -10557,6 +10903,16 @@ enums:
       -orig-id: filter_data.aiding_frame_config_error_uncertainty
       -role: data
       doc: Aiding frame configuration error uncertainty
+    0x9001:
+      id: displacement_data_displacement_raw
+      -orig-id: displacement_data.displacement_raw
+      -role: data
+      doc: Raw displacement
+    0x9002:
+      id: displacement_data_displacement
+      -orig-id: displacement_data.displacement
+      -role: data
+      doc: Displacement
     0x9103:
       id: gnss_1_llh_position
       -orig-id: gnss_1.llh_position
@@ -11940,6 +12296,52 @@ enums:
     2:
       id: action_types
       doc: Actions.
+  mip_3dm_receiver_dynamics:
+    0:
+      id: portable
+      doc: Low accelerations; fits most applications.
+    1:
+      id: fixed_value
+      -orig-id: fixed
+      doc: Fixed installation.
+    2:
+      id: stationary
+      doc: At rest.
+    3:
+      id: pedestrian
+      doc: Walking speed.
+    4:
+      id: automotive
+      doc: Road vehicles.
+    5:
+      id: sea
+      doc: Vessels at sea level.
+    6:
+      id: airborne_1g
+      doc: Aircraft with accelerations below 1 g.
+    7:
+      id: airborne_2g
+      doc: Aircraft with accelerations below 2 g.
+    8:
+      id: airborne_4g
+      doc: Aircraft with accelerations below 4 g.
+  mip_3dm_mag_bandwidth:
+    0:
+      id: high
+      doc: High bandwidth.
+    1:
+      id: low
+      doc: Low bandwidth.
+  mip_3dm_imu_timestamp_selector:
+    1:
+      id: beacon_seconds
+      doc: Seconds of the time beacon.
+    2:
+      id: beacon_nanoseconds
+      doc: Nanoseconds of the time beacon.
+    3:
+      id: internal_ticks
+      doc: Ticks of the internal clock.
   mip_3dm_odometer_mode:
     0:
       id: disabled
@@ -11963,6 +12365,33 @@ enums:
     4:
       id: pressure
       doc: Pressure sensor.
+  mip_3dm_internal_sensor:
+    1:
+      id: imu
+      doc: The inertial sensor.
+    2:
+      id: gnss
+      doc: The GNSS receiver.
+  mip_3dm_stream_format:
+    1:
+      id: standard
+      doc: MIP data fields.
+    2:
+      id: wrapped_raw
+      doc: Packets of the sensor itself, each in a MIP field.
+  mip_3dm_sensor_power_state:
+    1:
+      id: "on"
+      doc: Full power.
+    2:
+      id: low_power
+      doc: On with reduced power.
+    3:
+      id: sleep
+      doc: Asleep.
+    4:
+      id: "off"
+      doc: Off.
   mip_3dm_device_status_selector:
     1:
       id: basic

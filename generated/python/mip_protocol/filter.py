@@ -1260,6 +1260,7 @@ class MagneticDeclinationSourceResponse(Response):
     3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     __slots__ = ("source", "declination")
@@ -1276,8 +1277,8 @@ class MagneticDeclinationSourceResponse(Response):
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The manual says that it is required only if it is, but gives one
-    length.
+    out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
+    is, but give one length, with the value. Sending it always fits both.
     """
 
     def __init__(self, source: MagParameterSource, declination: float) -> None:
@@ -1754,7 +1755,8 @@ class MagneticInclinationSourceResponse(Response):
     """Source of the inclination."""
     inclination: float
     """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK always sends it.
+    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(self, source: MagParameterSource, inclination: float) -> None:
@@ -1800,7 +1802,8 @@ class MagneticMagnitudeSourceResponse(Response):
     """Source of the magnitude."""
     magnitude: float
     """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-    out if `source` is not manual. The SDK always sends it.
+    out if `source` is not manual, as the manuals state for `MagneticDeclinationSource`. The SDK
+    always sends it.
     """
 
     def __init__(self, source: MagParameterSource, magnitude: float) -> None:
@@ -2678,6 +2681,52 @@ class SetInitialHeading(Command[None]):
 
     def _write(self) -> bytes:
         out = _SET_INITIAL_HEADING_0.write(self.heading)
+        return codec.finished(out)
+
+
+_SET_INITIAL_ATTITUDE_FROM_IMU_0 = codec.Block("f", "declination")
+
+
+class SetInitialAttitudeFromImu(Command[None]):
+    """Set initial attitude from IMU (0x0D,0x04).
+
+    Initializes the attitude of the filter with that of the complementary filter.
+
+    Also called `set_initial_heading_from_mag`. May be supported by 3DM-GX3-45. Known only from the
+    MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name.
+    The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+    layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+
+    - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
+    - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
+    - mscl: Set Initial Attitude From AHRS (0x0D,0x04)
+    """
+
+    __slots__ = ("declination",)
+    __match_args__ = ("declination",)
+
+    SET = 0x0D
+    SETS = (0x0D,)
+    DESCRIPTOR = 0x04
+    NAME = "filter.set_initial_attitude_from_imu"
+    ROLE = "command"
+    _LAYOUT = (("declination", "f", None),)
+
+    declination: float
+    """Local declination of the magnetic field. Unit: rad."""
+
+    def __init__(self, declination: float) -> None:
+        self.declination = declination
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitudeFromImu, int]:
+        v = _SET_INITIAL_ATTITUDE_FROM_IMU_0.read(raw, at)
+        at += 4
+        declination = v[0]
+        return cls(declination), at
+
+    def _write(self) -> bytes:
+        out = _SET_INITIAL_ATTITUDE_FROM_IMU_0.write(self.declination)
         return codec.finished(out)
 
 
@@ -5618,6 +5667,7 @@ class MagneticDeclinationSource(Command[R]):
     Without a good declination source, keep automatic magnetometer calibration off.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     __slots__ = ("function", "source", "declination")
@@ -5640,8 +5690,8 @@ class MagneticDeclinationSource(Command[R]):
     """
     declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The manual says that it is required only
-    if it is, but gives one length.
+    Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
+    require it only if it is, but give one length, with the value. Sending it always fits both.
     """
 
     def __init__(
@@ -6711,7 +6761,8 @@ class MagneticInclinationSource(Command[R]):
     """Source of the inclination. Required for `write`."""
     inclination: float | None
     """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK always sends it.
+    Whether it may be left out if `source` is not manual, as the manuals state for
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -6836,7 +6887,8 @@ class MagneticMagnitudeSource(Command[R]):
     """Source of the magnitude. Required for `write`."""
     magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
-    Whether it may be left out if `source` is not manual. The SDK always sends it.
+    Whether it may be left out if `source` is not manual, as the manuals state for
+    `MagneticDeclinationSource`. The SDK always sends it.
     """
 
     def __init__(
@@ -8862,6 +8914,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Reset,),
     0x02: (SetInitialAttitude,),
     0x03: (SetInitialHeading,),
+    0x04: (SetInitialAttitudeFromImu,),
     0x05: (Run,),
     0x10: (VehicleDynamicsMode,),
     0x11: (SensorToVehicleRotationEuler,),

@@ -538,6 +538,85 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
 }
 
 /**
+ * Set initial attitude from IMU: command (0x0D,0x04).
+ *
+ * Initializes the attitude of the filter with that of the complementary filter.
+ *
+ * No device is certain to support it. Also called `set_initial_heading_from_mag`. Known only from
+ * the MIP SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The
+ * name. The SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
+ * layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+ *
+ * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
+ * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
+ * - mscl: Set Initial Attitude From AHRS (0x0D,0x04)
+ */
+struct mip_filter_set_initial_attitude_from_imu {
+    /** Local declination of the magnetic field. Unit: rad. */
+    float declination;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU 0x0D04
+/** Its descriptor. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_DESCRIPTOR 0x04
+/** Its name in the specification. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_NAME "filter.set_initial_attitude_from_imu"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
+    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_set_initial_attitude_from_imu_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
+    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_decode_inline(
+    struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x04, 4);
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
+        memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_get_float(&value->declination, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_set_initial_attitude_from_imu_encode_inline(
+    const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x04, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->declination);
+    return MIP_OK;
+}
+/**
+ * Set initial attitude from IMU. Fills the structure and returns its address.
+ *
+ * - declination: Local declination of the magnetic field. Unit: rad.
+ */
+static inline struct mip_filter_set_initial_attitude_from_imu *
+mip_filter_set_initial_attitude_from_imu_make(
+    struct mip_filter_set_initial_attitude_from_imu *command, float declination) {
+    memset(command, 0, sizeof(*command));
+    command->declination = declination;
+    return command;
+}
+
+/**
  * Run navigation filter: command (0x0D,0x05).
  *
  * Starts a filter that is configured to wait for this command.
@@ -4602,6 +4681,7 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
     /**
@@ -4619,8 +4699,9 @@ struct mip_filter_magnetic_declination_source {
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The manual says that it is required
-     * only if it is, but gives one length.
+     * Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7
+     * included, require it only if it is, but give one length, with the value. Sending it always
+     * fits both.
      */
     float declination;
 };
@@ -4653,8 +4734,9 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
  *   for write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The manual says that it is
- *   required only if it is, but gives one length.
+ *   Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the
+ *   3DM-GQ7 included, require it only if it is, but give one length, with the value. Sending it
+ *   always fits both.
  */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4706,14 +4788,15 @@ mip_filter_magnetic_declination_source_default(
  * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The manual says that it is required only if it is, but gives
-     * one length.
+     * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if
+     * it is, but give one length, with the value. Sending it always fits both.
      */
     float declination;
 };
@@ -5788,7 +5871,8 @@ struct mip_filter_magnetic_inclination_source {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK always sends it.
+     * Whether it may be left out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
@@ -5820,7 +5904,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_encode(
  * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
  *   for write.
  * - inclination: Inclination; used only if `source` is manual. Unit: rad. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
@@ -5878,7 +5963,8 @@ struct mip_filter_magnetic_inclination_source_response {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK always sends it.
+     * out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float inclination;
 };
@@ -5965,7 +6051,8 @@ struct mip_filter_magnetic_magnitude_source {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK always sends it.
+     * Whether it may be left out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5997,7 +6084,8 @@ static inline mip_error mip_filter_magnetic_magnitude_source_encode(
  * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
  *   write.
  * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Required for write.
- *   Uncertain: Whether it may be left out if `source` is not manual. The SDK always sends it.
+ *   Uncertain: Whether it may be left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
  */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
@@ -6051,7 +6139,8 @@ struct mip_filter_magnetic_magnitude_source_response {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK always sends it.
+     * out if `source` is not manual, as the manuals state for
+     * mip_filter_magnetic_declination_source. The SDK always sends it.
      */
     float magnitude;
 };

@@ -50,6 +50,12 @@ TYPES: dict[str, Info] = {
             Parameter("heading", "heading", "scalar", scalar="float", units=("rad",), minimum=-3.141592653589793, maximum=3.141592653589793, frame="ned"),
         ),
     ),
+    "SetInitialAttitudeFromImu": FieldInfo(
+        "filter.set_initial_attitude_from_imu", filter.SetInitialAttitudeFromImu, perhaps=("3dm-gx3-45",),
+        parameters=(
+            Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
+        ),
+    ),
     "Run": FieldInfo(
         "filter.run", filter.Run, devices=("3dm-cv7-gnss-ins", "3dm-gq7"),
         parameters=(
