@@ -406,7 +406,8 @@ record! {
     /// Free-running counter of the device.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
-    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK.
+    /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain:
+    /// Which devices send it. The SDK of 2014 is for devices of the 3-series and 4-series.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E); mip-sdk-2014: Internal Timestamp
     /// (0x80,0x0E).
