@@ -5019,10 +5019,10 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
@@ -5225,11 +5225,11 @@ types:
       - id: latitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
@@ -5903,10 +5903,10 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180."
       - id: altitude
         type: f8
         doc: "Altitude. Unit: m."
@@ -6706,10 +6706,10 @@ types:
         doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.latitude` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.longitude` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
@@ -7159,10 +7159,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.lat_lon` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.lat_lon` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.ellipsoid_height` is set."
@@ -8202,10 +8202,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Latitude. Unit: deg. Frame: llh. Valid if `valid_flags.valid` is set."
+        doc: "Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
       - id: longitude
         type: f8
-        doc: "Longitude. Unit: deg. Frame: llh. Valid if `valid_flags.valid` is set."
+        doc: "Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
@@ -11798,7 +11798,7 @@ enums:
       doc: Active while the pin is low. The pin needs the gpio feature.
     4:
       id: edge
-      doc: Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior selects the edge.
+      doc: "Active for one event cycle after an edge. Each edge is a new activation, but actions run once per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp feature, whose behavior selects the edge."
   event_threshold_type:
     1:
       id: window
@@ -12165,10 +12165,10 @@ enums:
       doc: GNSS error statistics. From a GNSS or the filter data set.
     129:
       id: msra
-      doc: "Proprietary PMSRA: Euler angles. From the filter data set."
+      doc: "Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in degrees with three decimals. From the filter data set."
     130:
       id: msrr
-      doc: "Proprietary PMSRR: acceleration and angular rate. From the sensor data set."
+      doc: "Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set."
   nmea_talker_id:
     0:
       id: ignored
@@ -12279,10 +12279,10 @@ enums:
       doc: No pulse.
     1:
       id: receiver_1
-      doc: From GNSS receiver 1.
+      doc: From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a fix.
     2:
       id: receiver_2
-      doc: From GNSS receiver 2.
+      doc: From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a fix.
     3:
       id: gpio
       doc: From a GPIO pin that is configured as a PPS input.

@@ -1,7 +1,7 @@
 """Displacement commands (0x11).
 
-Commands of the DEMOD-DC, a digital demodulator for displacement sensors. Inertial sensors have none
-of them.
+Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors have none of
+them.
 
 - mscl: Displacement Commands (0x11)
 """

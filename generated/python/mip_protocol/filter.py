@@ -936,9 +936,11 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+    states; 0 to 360 is the other usual one.
+    """
     altitude: float
     """Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The
     manual does not say; its glossary counts altitudes from sea level.
@@ -2882,12 +2884,14 @@ class SensorToVehicleRotationEuler(Command[R]):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain: The
+    formula. The text of the manual lacks it; it is the inverse of that of
+    `mip_3dm.SensorToVehicleTransformEuler`, which the 3DM-CV7 manual states.
 
     It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
     vector of the filter. The 3DM-CV7 uses the inverse instead:
-    `mip_3dm.SensorToVehicleTransformEuler`.
+    `mip_3dm.SensorToVehicleTransformEuler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -3515,9 +3519,11 @@ class ExternalGnssUpdate(Command[None]):
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. Unit: deg. Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90."""
     longitude: float
-    """Longitude. Unit: deg. Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+    states; 0 to 360 is the other usual one.
+    """
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Ned3f
@@ -4840,9 +4846,11 @@ class ReferencePosition(Command[R]):
     enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None
-    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
+    """Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for `write`."""
     longitude: float | None
-    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
+    """Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for `write`. Uncertain: The
+    range, which no source states; 0 to 360 is the other usual one.
+    """
     altitude: float | None
     """Altitude. Unit: m. Required for `write`. Uncertain: Whether it counts from the ellipsoid or
     from sea level. The manual does not say; its glossary counts altitudes from sea level.

@@ -195,14 +195,19 @@ class PpsSource(codec.OpenEnum):
     """Where the pulse per second comes from.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    - 3dm-cv7-gnss-ins: RECEIVER Source
     """
 
     DISABLED = 0
     """No pulse."""
     RECEIVER_1 = 1
-    """From GNSS receiver 1."""
+    """From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a
+    fix.
+    """
     RECEIVER_2 = 2
-    """From GNSS receiver 2."""
+    """From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a
+    fix.
+    """
     GPIO = 3
     """From a GPIO pin that is configured as a PPS input."""
     GENERATED = 4
@@ -4224,6 +4229,7 @@ class EventActionConfigResponse(Response):
     Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Event Cycle
     """
 
     __slots__ = ("instance", "trigger", "type", "parameters")
@@ -5759,7 +5765,9 @@ class DataStreamControl(Command[R]):
       `LegacyDataStream.FILTER`.
     """
     enable: bool | None
-    """Whether the stream is sent. Default: true. Required for `write`."""
+    """Whether the stream is sent. Default: true. Required for `write`. The stream starts with
+    current data. What was measured while it was disabled is not sent.
+    """
 
     def __init__(
         self,
@@ -7015,9 +7023,12 @@ class EventActionConfig(Command[R]):
     by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
-    GPIO action needs its pin configured as an output with the gpio feature.
+    GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
+    the device updates all triggers first and then runs each action at most once. The rate of the
+    cycle is the base rate of the system data.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Event Cycle
     """
 
     __slots__ = ("function", "instance", "trigger", "type", "parameters")
@@ -7405,8 +7416,10 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformDcm` set the same transformation;
     the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the
     vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that
-    `filter.SensorToVehicleRotationQuaternion` takes. Every change makes both attitude filters,
-    complementary and estimation, and all low-pass filters start anew.
+    `filter.SensorToVehicleRotationQuaternion` takes. The transformation applies to the scaled
+    acceleration, angular rate and magnetic field, delta theta and delta velocity, and to the
+    attitude, linear acceleration, angular rate and gravity vector of the filter. Every change makes
+    both attitude filters, complementary and estimation, and all low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -7522,8 +7535,11 @@ class SensorToVehicleTransformDcm(Command[R]):
 
     `SensorToVehicleTransformEuler` and `SensorToVehicleTransformQuaternion` set the same
     transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`.
-    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. Every change
-    makes both attitude filters, complementary and estimation, and all low-pass filters start anew.
+    This is the inverse of the matrix that `filter.SensorToVehicleRotationDcm` takes. The
+    transformation applies to the scaled acceleration, angular rate and magnetic field, delta theta
+    and delta velocity, and to the attitude, linear acceleration, angular rate and gravity vector of
+    the filter. Every change makes both attitude filters, complementary and estimation, and all
+    low-pass filters start anew.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -8404,7 +8420,9 @@ class MagHardIronOffset(Command[R]):
     `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
     `load` and `default` only.
 
-    The values come from a calibration of the device as it is installed.
+    The values come from a calibration of the device as it is installed. On some devices,
+    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
+    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -8528,7 +8546,9 @@ class MagSoftIronMatrix(Command[R]):
     `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
     `load` and `default` only.
 
-    The values come from a calibration of the device as it is installed.
+    The values come from a calibration of the device as it is installed. On some devices,
+    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
+    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)

@@ -240,8 +240,9 @@ class EventTriggerGpioMode(codec.OpenEnum):
     WHILE_LOW = 2
     """Active while the pin is low. The pin needs the gpio feature."""
     EDGE = 4
-    """Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
-    selects the edge.
+    """Active for one event cycle after an edge. Each edge is a new activation, but actions run once
+    per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp
+    feature, whose behavior selects the edge.
     """
 
 
@@ -883,6 +884,8 @@ class NmeaMessageId(codec.OpenEnum):
     """An NMEA-0183 sentence that a device can send.
 
     - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    - 3dm-cv7-gnss-ins: PMSRA - Euler Angles
+    - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
     """
 
     GGA = 1
@@ -902,9 +905,13 @@ class NmeaMessageId(codec.OpenEnum):
     GST = 8
     """GNSS error statistics. From a GNSS or the filter data set."""
     MSRA = 129
-    """Proprietary PMSRA: Euler angles. From the filter data set."""
+    """Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+    degrees with three decimals. From the filter data set.
+    """
     MSRR = 130
-    """Proprietary PMSRR: acceleration and angular rate. From the sensor data set."""
+    """Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and
+    angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set.
+    """
 
 
 class NmeaTalkerId(codec.OpenEnum):

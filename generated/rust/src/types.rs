@@ -299,8 +299,9 @@ open_enum! {
         WHILE_HIGH = 1, "while_high";
         /// Active while the pin is low. The pin needs the gpio feature.
         WHILE_LOW = 2, "while_low";
-        /// Active for one event cycle after an edge. The pin needs the timestamp feature, whose
-        /// behavior selects the edge.
+        /// Active for one event cycle after an edge. Each edge is a new activation, but actions run
+        /// once per cycle: of several edges in one cycle, only one has an effect. The pin needs the
+        /// timestamp feature, whose behavior selects the edge.
         EDGE = 4, "edge";
     }
 }
@@ -861,7 +862,8 @@ bitfield! {
 open_enum! {
     /// An NMEA-0183 sentence that a device can send.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs.
+    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs; 3dm-cv7-gnss-ins: PMSRA -
+    /// Euler Angles; 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration.
     NmeaMessageId: u8 {
         /// GNSS fix. From a GNSS or the filter data set.
         GGA = 1, "gga";
@@ -879,9 +881,12 @@ open_enum! {
         ZDA = 7, "zda";
         /// GNSS error statistics. From a GNSS or the filter data set.
         GST = 8, "gst";
-        /// Proprietary PMSRA: Euler angles. From the filter data set.
+        /// Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+        /// degrees with three decimals. From the filter data set.
         MSRA = 129, "msra";
-        /// Proprietary PMSRR: acceleration and angular rate. From the sensor data set.
+        /// Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in
+        /// g and angular rate in deg/s about the x, y and z axes, with six decimals. From the
+        /// sensor data set.
         MSRR = 130, "msrr";
     }
 }

@@ -324,6 +324,8 @@ def _range(p: m.Parameter, given: str) -> str:
 
     Where the length of a vector is limited, the source may give that limit for each element, or none.
     """
+    if p.frame == "llh" and not given:  # latitudes and longitudes have limits of their own
+        return given
     if p.magnitude[1] is not None and given in ("", f">= {-p.magnitude[1]} <= {p.magnitude[1]}"):
         return given
     low = f"> {p.above}" if p.above is not None else f">= {p.minimum}" if p.minimum is not None else ""

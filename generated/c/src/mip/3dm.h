@@ -128,13 +128,20 @@ MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
  * Where the pulse per second comes from.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+ * - 3dm-cv7-gnss-ins: RECEIVER Source
  */
 enum mip_3dm_pps_source MIP_ENUM_8 {
     /** No pulse. */
     MIP_3DM_PPS_SOURCE_DISABLED = 0,
-    /** From GNSS receiver 1. */
+    /**
+     * From GNSS receiver 1. The external time is GPS time, and valid only while the receiver has a
+     * fix.
+     */
     MIP_3DM_PPS_SOURCE_RECEIVER_1 = 1,
-    /** From GNSS receiver 2. */
+    /**
+     * From GNSS receiver 2. The external time is GPS time, and valid only while the receiver has a
+     * fix.
+     */
     MIP_3DM_PPS_SOURCE_RECEIVER_2 = 2,
     /** From a GPIO pin that is configured as a PPS input. */
     MIP_3DM_PPS_SOURCE_GPIO = 3,
@@ -1982,7 +1989,11 @@ struct mip_3dm_data_stream_control {
      * MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
     uint8_t descriptor_set;
-    /** Whether the stream is sent. Default: true. Required for write. */
+    /**
+     * Whether the stream is sent. Default: true. Required for write.
+     *
+     * The stream starts with current data. What was measured while it was disabled is not sent.
+     */
     mip_bool enable;
 };
 
@@ -2017,7 +2028,8 @@ static inline mip_error mip_3dm_data_stream_control_encode(
  *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
  *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
  *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write.
+ * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+ *   current data. What was measured while it was disabled is not sent.
  */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
@@ -3721,7 +3733,11 @@ union mip_3dm_event_action_config_parameters {
  *
  * A GPIO action needs its pin configured as an output with the gpio feature.
  *
+ * In each event cycle, the device updates all triggers first and then runs each action at most
+ * once. The rate of the cycle is the base rate of the system data.
+ *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config {
     /**
@@ -3856,6 +3872,7 @@ union mip_3dm_event_action_config_response_parameters {
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Event Cycle
  */
 struct mip_3dm_event_action_config_response {
     /** Action instance. */
@@ -4182,6 +4199,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
  * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
+ * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
+ * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
+ * vector of the filter.
+ *
  * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
  * start anew.
  *
@@ -4354,6 +4375,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
  * mip_filter_sensor_to_vehicle_dcm takes.
+ *
+ * The transformation applies to the scaled acceleration, angular rate and magnetic field, delta
+ * theta and delta velocity, and to the attitude, linear acceleration, angular rate and gravity
+ * vector of the filter.
  *
  * Every change makes both attitude filters, complementary and estimation, and all low-pass filters
  * start anew.
@@ -5474,6 +5499,11 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * The values come from a calibration of the device as it is installed.
  *
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
+ * the filter makes during operation.
+ *
+ * The device applies the correction before it sends mip_sensor_scaled_mag.
+ *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
@@ -5647,6 +5677,11 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
+ *
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
+ * the filter makes during operation.
+ *
+ * The device applies the correction before it sends mip_sensor_scaled_mag.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)

@@ -776,7 +776,8 @@ static inline mip_error mip_send_3dm_data_stream_control(
  *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15:
  *   values of enum mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
  *   MIP_3DM_LEGACY_DATA_STREAM_FILTER.
- * - enable: Whether the stream is sent. Default: true. Required for write.
+ * - enable: Whether the stream is sent. Default: true. Required for write. The stream starts with
+ *   current data. What was measured while it was disabled is not sent.
  */
 static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
                                                                        uint8_t descriptor_set,

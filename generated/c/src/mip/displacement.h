@@ -1,8 +1,8 @@
 /**
  * @file
  *
- * Displacement commands (0x11). Commands of the DEMOD-DC, a digital demodulator for displacement
- * sensors. Inertial sensors have none of them.
+ * Displacement commands (0x11). Commands of the DEMOD-DC, a demodulator for displacement sensors.
+ * Inertial sensors have none of them.
  */
 #ifndef MIP_DISPLACEMENT_H
 #define MIP_DISPLACEMENT_H

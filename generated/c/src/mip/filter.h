@@ -815,13 +815,17 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * Full name: filter.sensor_to_vehicle_rotation_euler.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. Uncertain:
+ * The formula. The text of the manual lacks it; it is the inverse of that of
+ * mip_3dm_sensor_to_vehicle_euler, which the 3DM-CV7 manual states.
  *
  * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
  * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
+ *
+ * `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -1632,9 +1636,12 @@ struct mip_filter_external_gnss_update {
     double tow;
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
-    /** Latitude. Unit: deg. Frame: llh. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+     * states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     double height;
@@ -1724,8 +1731,9 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh.
- * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
+ *   source states; 0 to 360 is the other usual one.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -3511,9 +3519,12 @@ struct mip_filter_reference_position {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. Required for write. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. Required for write. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain: The
+     * range, which no source states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /**
      * Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the ellipsoid or
@@ -3547,8 +3558,9 @@ static inline mip_error mip_filter_reference_position_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
+ *   The range, which no source states; 0 to 360 is the other usual one.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.
@@ -3603,9 +3615,12 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. */
+    /** Latitude. Unit: deg. Frame: llh. Range: -90 to 90. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. */
+    /**
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source
+     * states; 0 to 360 is the other usual one.
+     */
     double longitude;
     /**
      * Altitude. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The

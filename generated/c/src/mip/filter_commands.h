@@ -647,8 +647,9 @@ static inline mip_error mip_send_filter_external_gnss_update(
  *
  * - tow: GPS time of week. Unit: s.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - latitude: Latitude. Unit: deg. Frame: llh.
- * - longitude: Longitude. Unit: deg. Frame: llh.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no
+ *   source states; 0 to 360 is the other usual one.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - velocity: Velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
  * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
@@ -1504,8 +1505,9 @@ static inline mip_error mip_send_filter_reference_position(
  * Set reference position: write. Apply the new setting. See mip_device_call.
  *
  * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
- * - latitude: Latitude. Unit: deg. Frame: llh. Required for write.
- * - longitude: Longitude. Unit: deg. Frame: llh. Required for write.
+ * - latitude: Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Required for write.
+ * - longitude: Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Required for write. Uncertain:
+ *   The range, which no source states; 0 to 360 is the other usual one.
  * - altitude: Altitude. Unit: m. Required for write. Uncertain: Whether it counts from the
  *   ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea
  *   level.

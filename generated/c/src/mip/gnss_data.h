@@ -627,13 +627,14 @@ typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
  */
 struct mip_gnss_data_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in
-     * valid_flags is set.
+     * Latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in
-     * valid_flags is set.
+     * Longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if
+     * MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON in valid_flags is set. Uncertain: The range, which
+     * no source states; 0 to 360 is the other usual one.
      */
     double longitude;
     /**

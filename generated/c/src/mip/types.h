@@ -621,8 +621,9 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     /** Active while the pin is low. The pin needs the gpio feature. */
     MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW = 2,
     /**
-     * Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
-     * selects the edge.
+     * Active for one event cycle after an edge. Each edge is a new activation, but actions run once
+     * per cycle: of several edges in one cycle, only one has an effect. The pin needs the timestamp
+     * feature, whose behavior selects the edge.
      */
     MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
 };
@@ -1125,6 +1126,8 @@ typedef uint8_t mip_gpio_pin_mode;
  * An NMEA-0183 sentence that a device can send.
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+ * - 3dm-cv7-gnss-ins: PMSRA - Euler Angles
+ * - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
  */
 enum mip_nmea_message_id MIP_ENUM_8 {
     /** GNSS fix. From a GNSS or the filter data set. */
@@ -1143,9 +1146,15 @@ enum mip_nmea_message_id MIP_ENUM_8 {
     MIP_NMEA_MESSAGE_ID_ZDA = 7,
     /** GNSS error statistics. From a GNSS or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GST = 8,
-    /** Proprietary PMSRA: Euler angles. From the filter data set. */
+    /**
+     * Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
+     * degrees with three decimals. From the filter data set.
+     */
     MIP_NMEA_MESSAGE_ID_MSRA = 129,
-    /** Proprietary PMSRR: acceleration and angular rate. From the sensor data set. */
+    /**
+     * Proprietary sentence `$PMSRR,hhmmss.ss,ax,ay,az,wx,wy,wz*hh`: UTC time, acceleration in g and
+     * angular rate in deg/s about the x, y and z axes, with six decimals. From the sensor data set.
+     */
     MIP_NMEA_MESSAGE_ID_MSRR = 130
 };
 

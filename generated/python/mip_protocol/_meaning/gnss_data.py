@@ -56,8 +56,8 @@ TYPES: dict[str, Info] = {
     "LlhPosition": FieldInfo(
         "gnss_data.llh_position", gnss_data.LlhPosition, devices=("3dm-cv7-gnss-ins", "3dm-gq7"), perhaps=("3dm-cv7-ins", "3dm-gx5-35", "3dm-gx5-45"),
         parameters=(
-            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
-            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
+            Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-90, maximum=90, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
+            Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), valid=("valid_flags.lat_lon",), minimum=-180, maximum=180, frame="llh", flags=(Flag("valid_flags.lat_lon", "valid_flags", 0x1),)),
             Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.ellipsoid_height",), frame="llh", flags=(Flag("valid_flags.ellipsoid_height", "valid_flags", 0x2),)),
             Parameter("msl_height", "msl_height", "scalar", scalar="double", units=("m",), valid=("valid_flags.msl_height",), flags=(Flag("valid_flags.msl_height", "valid_flags", 0x4),)),
             Parameter("horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",), valid=("valid_flags.horizontal_accuracy",), flags=(Flag("valid_flags.horizontal_accuracy", "valid_flags", 0x8),)),

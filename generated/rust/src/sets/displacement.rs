@@ -1,5 +1,5 @@
-//! Displacement commands (0x11): Commands of the DEMOD-DC, a digital demodulator for displacement
-//! sensors. Inertial sensors have none of them.
+//! Displacement commands (0x11): Commands of the DEMOD-DC, a demodulator for displacement sensors.
+//! Inertial sensors have none of them.
 //!
 //! Source: mscl: Displacement Commands (0x11).
 

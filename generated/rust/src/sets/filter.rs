@@ -582,13 +582,17 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// and [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The formula. The text of the manual
+    /// lacks it; it is the inverse of that of
+    /// [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler),
+    /// which the 3DM-CV7 manual states.
     ///
     /// - It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
     ///   gravity vector of the filter.
     /// - The 3DM-CV7 uses the inverse instead:
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
+    /// - `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle`
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy)]
@@ -933,11 +937,12 @@ record! {
         pub week_number: u16,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -90 to 90.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
+        /// 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
@@ -1762,11 +1767,14 @@ record! {
         pub enable: Option<u8>,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: llh. Range: -90 to 90. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Required for
+        /// [write](types::FunctionSelector::WRITE). Uncertain: The range, which no source states; 0
+        /// to 360 is the other usual one.
         pub longitude: Option<f64>,
         /// Altitude.
         ///
@@ -4168,11 +4176,12 @@ record! {
         pub enable: u8,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -90 to 90.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh.
+        /// Unit: deg. Frame: llh. Range: -180 to 180. Uncertain: The range, which no source states;
+        /// 0 to 360 is the other usual one.
         pub longitude: f64,
         /// Altitude.
         ///

@@ -148,13 +148,15 @@ open_enum! {
 open_enum! {
     /// Where the pulse per second comes from.
     ///
-    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28); 3dm-cv7-gnss-ins: RECEIVER Source.
     PpsSource: u8 {
         /// No pulse.
         DISABLED = 0, "disabled";
-        /// From GNSS receiver 1.
+        /// From GNSS receiver 1. The external time is GPS time, and valid only while the receiver
+        /// has a fix.
         RECEIVER_1 = 1, "receiver_1";
-        /// From GNSS receiver 2.
+        /// From GNSS receiver 2. The external time is GPS time, and valid only while the receiver
+        /// has a fix.
         RECEIVER_2 = 2, "receiver_2";
         /// From a GPIO pin that is configured as a PPS input.
         GPIO = 3, "gpio";
@@ -1306,6 +1308,9 @@ record! {
         /// Whether the stream is sent.
         ///
         /// Default: true. Required for [write](types::FunctionSelector::WRITE).
+        ///
+        /// - The stream starts with current data. What was measured while it was disabled is not
+        ///   sent.
         pub enable: Option<crate::Bool>,
     }
     wire 3 {
@@ -2052,8 +2057,11 @@ record! {
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
     /// - A GPIO action needs its pin configured as an output with the gpio feature.
+    /// - In each event cycle, the device updates all triggers first and then runs each action at
+    ///   most once. The rate of the cycle is the base rate of the system data.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
+    /// Cycle.
     #[derive(Eq, Hash)]
     pub struct EventActionConfig {
         /// What to do with the setting.
@@ -2293,6 +2301,9 @@ record! {
     ///   0. This is the inverse of the quaternion that
     ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
     ///   takes.
+    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
+    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
+    ///   gravity vector of the filter.
     /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
     ///   filters start anew.
     ///
@@ -2357,6 +2368,9 @@ record! {
     ///   transformation; the value read back may be another form of it.
     /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
     ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
+    /// - The transformation applies to the scaled acceleration, angular rate and magnetic field,
+    ///   delta theta and delta velocity, and to the attitude, linear acceleration, angular rate and
+    ///   gravity vector of the filter.
     /// - Every change makes both attitude filters, complementary and estimation, and all low-pass
     ///   filters start anew.
     ///
@@ -2841,6 +2855,11 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
+    /// - On some devices,
+    ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
+    ///   them from the calibration that the filter makes during operation.
+    /// - The device applies the correction before it sends
+    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -2920,6 +2939,11 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
+    /// - On some devices,
+    ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
+    ///   them from the calibration that the filter makes during operation.
+    /// - The device applies the correction before it sends
+    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
@@ -5998,7 +6022,8 @@ record! {
     /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Event
+    /// Cycle.
     #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
         /// Action instance.
